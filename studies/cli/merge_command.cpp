@@ -52,6 +52,23 @@ std::string job_of(const MergeOptions& options, const fs::path& folder) {
   return path;
 }
 
+/// The commands that complete the shards; empty if these are of several counts.
+std::string repair(const std::vector<study::Shard>& shards, const std::string& job,
+                   const fs::path& results) {
+  std::string text, numbers;
+  for (const study::Shard& shard : shards) {
+    numbers += (numbers.empty() ? "" : ",") + std::to_string(shard.number);
+    if (&shard - shards.data() < 3)
+      text += fmt::format("\n  gurney run {} -o {} --resume --shard {}/{}", shell_word(job),
+                          shell_word(results.string()), shard.number, shard.count);
+  }
+  if (text.empty()) return text;
+  const std::string script = shell_word(fs::path(job).stem().string() + ".sbatch");
+  return "\ncomplete them with:" + text +
+         fmt::format("\nor all on Slurm, with the script of gurney submit:\n  sbatch --array={} {}",
+                     numbers, script);
+}
+
 int merge_command(const MergeOptions& options) {
   fs::path folder = fs::path(options.folder).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();  // it ended in a slash
@@ -70,7 +87,7 @@ int merge_command(const MergeOptions& options) {
   study::ShardFolders shards(folder, study::identity_of(batch), plan.tasks());
   for (const std::string& warning : shards.warnings()) print_error("{}\n", warning);
   const std::string missing = shards.missing();
-  require(missing.empty(), missing);
+  require(missing.empty(), missing + repair(shards.incomplete(), path, results));
   const StudySummary summary = write_results(
       batch, folder, [&](std::size_t task) { return shards.read(task); }, results,
       options.overwrite);

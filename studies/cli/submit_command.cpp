@@ -22,10 +22,14 @@ namespace fs = std::filesystem;
 
 struct SubmitOptions {
   std::string job, output, script, mode = "array", time = "01:00:00", program = "gurney";
-  std::vector<std::string> site;  ///< options of sbatch, such as --partition=short
+  std::vector<std::string> site;  ///< options of the scheduler, such as --partition=short
   int shards = 0, threads = 1;
-  bool slurm = false, overwrite = false;
+  int at_most = 0;  ///< shards that run at the same time; 0: as many as there is room for
+  bool slurm = false, pbs = false, lsf = false, overwrite = false;
 };
+
+/// Slurm refuses array indices from MaxArraySize on, which is 1001 unless a site sets another.
+constexpr int kLargestIndex = 1000;
 
 /// Before a shard: how many seconds of grace Slurm gives with SIGTERM, to write what is finished.
 constexpr int kGrace = 60;
@@ -35,30 +39,36 @@ void check_one_line(const std::string& origin, const std::string& text) {
   const auto control =
       std::ranges::find_if(text, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   require(control == text.end(),
-          fmt::format("{}: has the control character 0x{:02x}; a line of #SBATCH has none", origin,
-                      control == text.end() ? 0 : static_cast<unsigned char>(*control)));
+          fmt::format("{}: has the control character 0x{:02x}; a line of a scheduler has none",
+                      origin, control == text.end() ? 0 : static_cast<unsigned char>(*control)));
 }
 
-/// An option of sbatch as a comment of the script, which a line end would turn into a command.
-std::string directive(const std::string& origin, const std::string& option) {
+/// An option of a scheduler as a comment of the script, which a line end would turn into a command.
+std::string directive(const std::string& origin, const std::string& option,
+                      const char* scheduler = "SBATCH") {
   check_one_line(origin, option);
-  return fmt::format("#SBATCH {}\n", option);
+  return fmt::format("#{} {}\n", scheduler, option);
+}
+
+std::string job_name(const SubmitOptions& options) {
+  const std::string name = fs::path(options.job).stem().string();
+  check_one_line("the name of the job file", name);
+  return name;
 }
 
 std::string head(const SubmitOptions& options) {
   const bool array = options.mode == "array";
   std::string text = "#!/bin/bash\n";
-  const std::string name = fs::path(options.job).stem().string();
-  check_one_line("the name of the job file", name);
-  text += directive("the name of the job file", "--job-name=" + shell_word(name));
-  text += fmt::format("#SBATCH --{}={}\n", array ? "array" : "ntasks",
-                      (array ? "1-" : "") + std::to_string(options.shards));
+  text += directive("the name of the job file", "--job-name=" + shell_word(job_name(options)));
+  text += array ? fmt::format("#SBATCH --array=1-{}{}\n", std::min(options.shards, kLargestIndex),
+                              options.at_most > 0 ? fmt::format("%{}", options.at_most) : "")
+                : fmt::format("#SBATCH --ntasks={}\n", options.shards);
   text += fmt::format("#SBATCH --cpus-per-task={}\n", options.threads);
   text += directive("--time", "--time=" + options.time);
   text += fmt::format("#SBATCH --output={}\n", array ? "%x-%A_%a.out" : "%x-%j.out");
   text += "#SBATCH --open-mode=append\n#SBATCH --requeue\n";
   text += fmt::format("#SBATCH --signal=TERM@{}\n", kGrace);
-  for (const std::string& option : options.site) text += directive("--sbatch", option);
+  for (const std::string& option : options.site) text += directive("--directive", option);
   return text;
 }
 
@@ -84,7 +94,12 @@ std::string script_of(const SubmitOptions& options, const std::string& results) 
       fmt::format("{} merge {}", program, shell_word(study::shards_path(results).string()));
   std::string text = head(options) + "\nset -u\n";
   if (options.mode == "array")
-    return text + fmt::format("{} --shard \"$SLURM_ARRAY_TASK_ID/{}\"\n", run, options.shards) +
+    return text +
+           fmt::format("{} --shard \"{}/{}\"\n", run,
+                       options.shards > kLargestIndex
+                           ? "$((SLURM_ARRAY_TASK_ID + ${GURNEY_SHARDS_BEFORE:-0}))"
+                           : "$SLURM_ARRAY_TASK_ID",
+                       options.shards) +
            fmt::format(fmt::runtime(kAgain), "${SLURM_ARRAY_JOB_ID}_${SLURM_ARRAY_TASK_ID}") +
            "exit \"$code\"\n";
   return text + fmt::format("{} --shard auto\n", run) +
@@ -92,18 +107,88 @@ std::string script_of(const SubmitOptions& options, const std::string& results) 
          fmt::format("[ \"$code\" -eq 0 ] && exec {}\nexit \"$code\"\n", merge);
 }
 
+/// A shard as a task of an array of PBS or LSF. These put no task into the queue again whose time is
+/// over: it is submitted again, and goes on.
+std::string task_of(const SubmitOptions& options, const std::string& results, const char* index) {
+  return fmt::format(
+      "set -u\n{} run {} -o {} --resume -j {} --shard \"{}/{}\"\ncode=$?\n"
+      "[ \"$code\" -eq 3 ] && code=0  # some runs failed: they are rows of the results\n"
+      "exit \"$code\"\n",
+      shell_word(options.program), shell_word(options.job), shell_word(results), options.threads,
+      index, options.shards);
+}
+
+std::string pbs_script_of(const SubmitOptions& options, const std::string& results) {
+  std::string text = "#!/bin/bash\n";
+  text += directive("the name of the job file", "-N " + shell_word(job_name(options)), "PBS");
+  if (options.shards > 1)  // it refuses an array of one
+    text += fmt::format("#PBS -J 1-{}{}\n", options.shards,
+                        options.at_most > 0 ? fmt::format("%{}", options.at_most) : "");
+  text += fmt::format("#PBS -l select=1:ncpus={}\n", options.threads);
+  text += directive("--time", "-l walltime=" + options.time, "PBS") + "#PBS -j oe\n#PBS -r y\n";
+  for (const std::string& option : options.site) text += directive("--directive", option, "PBS");
+  return text + "\ncd \"$PBS_O_WORKDIR\" || exit 1\n" +
+         task_of(options, results, "${PBS_ARRAY_INDEX:-1}");
+}
+
+std::string lsf_script_of(const SubmitOptions& options, const std::string& results) {
+  std::string text = "#!/bin/bash\n";
+  text += directive(
+      "the name of the job file",
+      fmt::format("-J {}", shell_word(fmt::format(
+                               "{}[1-{}]{}", job_name(options), options.shards,
+                               options.at_most > 0 ? fmt::format("%{}", options.at_most) : ""))),
+      "BSUB");
+  text += fmt::format("#BSUB -n {}\n#BSUB -R \"span[hosts=1]\"\n", options.threads);
+  text += directive("--time", "-W " + options.time, "BSUB");
+  text += "#BSUB -o %J_%I.out\n#BSUB -r\n#BSUB -Q \"143\"\n#BSUB -wa TERM -wt 1\n";
+  for (const std::string& option : options.site) text += directive("--directive", option, "BSUB");
+  return text + "\n" + task_of(options, results, "$LSB_JOBINDEX");
+}
+
+struct Scheduler {
+  const char *option, *suffix, *submit;  ///< submit: the command before the script
+  std::string (*script)(const SubmitOptions&, const std::string& results);
+};
+
+constexpr Scheduler kSlurm{"--slurm", ".sbatch", "sbatch ", script_of},
+    kPbs{"--pbs", ".pbs", "qsub ", pbs_script_of}, kLsf{"--lsf", ".bsub", "bsub < ", lsf_script_of};
+
+const Scheduler& scheduler_of(const SubmitOptions& options) {
+  require(options.slurm + options.pbs + options.lsf == 1,
+          "gurney submit needs the scheduler: --slurm, --pbs or --lsf");
+  return options.slurm ? kSlurm : options.pbs ? kPbs : kLsf;
+}
+
+/// Arrays of shards beyond the largest index, each submitted with the number of those before it.
+std::string further_arrays(const SubmitOptions& options, const std::string& script) {
+  std::string text;
+  if (!options.slurm || options.mode != "array") return text;
+  for (int before = kLargestIndex; before < options.shards; before += kLargestIndex)
+    text += fmt::format("         GURNEY_SHARDS_BEFORE={} sbatch --array=1-{}{} {}\n", before,
+                        std::min(options.shards - before, kLargestIndex),
+                        options.at_most > 0 ? fmt::format("%{}", options.at_most) : "", script);
+  return text;
+}
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 int submit_command(const SubmitOptions& options) {
   for (const std::string& line : options.site)
-    require(line.starts_with("--"),
-            "--sbatch " + line + ": must be one option of sbatch, such as --partition=short");
+    require(line.starts_with(options.slurm ? "--" : "-"),
+            fmt::format("--directive {}: must be one option of the scheduler, such as {}", line,
+                        options.slurm ? "--partition=short" : "-q short"));
   require(
       !options.time.empty() &&
           options.time.find_first_not_of("0123456789:-") == std::string::npos &&
           is_digit(options.time.front()) && is_digit(options.time.back()),
       "--time " + options.time + ": must be as sbatch takes it, such as 90, 02:00:00 or 1-12:00");
-  require(options.slurm, "gurney submit needs --slurm, the only scheduler whose scripts it writes");
+  const Scheduler& scheduler = scheduler_of(options);
+  require(options.slurm || options.time.find('-') == std::string::npos,
+          fmt::format("--time {}: must be hours:minutes{}", options.time,
+                      options.pbs ? ":seconds" : ""));
+  require(options.slurm || options.mode == "array",
+          fmt::format("--mode allocation is for --slurm; {} has arrays", scheduler.option));
   const study::StudyJob job(options.job);
   const study::StudyMotions motions(job);
   const study::Plan plan(job, motions);
@@ -120,13 +205,15 @@ int submit_command(const SubmitOptions& options) {
   const std::string results = no_option(options.output.empty() ? stem + ".h5" : options.output);
   require(fs::path(results).extension() == ".h5",
           results + ": the results file must end in .h5 (-o FILE.h5)");
-  const std::string script = no_option(options.script.empty() ? stem + ".sbatch" : options.script);
+  const std::string script =
+      no_option(options.script.empty() ? stem + scheduler.suffix : options.script);
   study::OutputFiles files(options.overwrite);
   files.check(script);
-  files.stage(script, script_of(options, results));
+  files.stage(script, scheduler.script(options, results));
   files.commit();
-  fmt::print("{}: {} analysis cases in {} shards\nsubmit   sbatch {}\nwatch    gurney status {}\n",
-             printable(script), tasks, options.shards, shell_word(script),
+  fmt::print("{}: {} analysis cases in {} shards\nsubmit   {}{}\n{}watch    gurney status {}\n",
+             printable(script), tasks, options.shards, scheduler.submit, shell_word(script),
+             further_arrays(options, shell_word(script)),
              shell_word(study::shards_path(results).string()));
   if (options.mode == "array")
     fmt::print("at last  gurney merge {}\n", shell_word(study::shards_path(results).string()));
@@ -141,26 +228,31 @@ void add_submit(CLI::App& app, std::function<int()>& action) {
   CLI::App* const submit = app.add_subcommand("submit", "");
   submit->add_option("JOB", options.job, "The job file of a study")->required();
   submit->add_flag("--slurm", options.slurm, "Write a script for Slurm's sbatch");
+  submit->add_flag("--pbs", options.pbs, "Write a script for qsub of PBS Pro or OpenPBS");
+  submit->add_flag("--lsf", options.lsf, "Write a script for LSF's bsub");
   submit->add_option("--shards", options.shards, "Number of shards")
       ->required()
       ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));
   submit
       ->add_option("--mode", options.mode,
-                   "array: a job of an array for each shard; allocation: all in one job")
+                   "array: a job of an array for each shard; allocation: all in one job of Slurm")
       ->check(CLI::IsMember({"array", "allocation"}))
       ->capture_default_str();
   submit->add_option("-j,--threads", options.threads, "Threads of each shard")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  submit->add_option("--time", options.time, "Time limit, as sbatch takes it")
+  submit->add_option("--at-most", options.at_most, "Shards of an array that run at the same time")
+      ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));
+  submit->add_option("--time", options.time, "Time limit, as the scheduler takes it")
       ->capture_default_str();
-  submit->add_option("--sbatch", options.site,
-                     "A further line for sbatch, such as --sbatch=--partition=short");
+  submit->add_option("--directive,--sbatch", options.site,
+                     "A further option for the scheduler, such as --directive=--partition=short");
   submit->add_option("--program", options.program, "The program on the nodes")
       ->capture_default_str();
   submit->add_option("-o,--output", options.output,
                      "The results file (default: <name of the job>.h5)");
-  submit->add_option("--script", options.script, "The script (default: <name of the job>.sbatch)");
+  submit->add_option("--script", options.script,
+                     "The script (default: <name of the job>.sbatch, .pbs or .bsub)");
   submit->add_flag("--overwrite", options.overwrite, "Replace files that exist");
   submit->callback([shared, &action] { action = [shared] { return submit_command(*shared); }; });
 }

@@ -1,10 +1,15 @@
 #include "studies/plan/assessment_files.h"
 
+#include <filesystem>
+#include <limits>
+
+#include "engine/base/error.h"
 #include "engine/config/document.h"
 #include "engine/config/table.h"
 #include "equipment/catalogue/check_file.h"
 #include "studies/job/scale_reader.h"
 #include "studies/limit_states/limit_state_reader.h"
+#include "studies/plan/openquake_hazard.h"
 #include "studies/plan/study.h"
 
 namespace gurney::study {
@@ -37,9 +42,42 @@ LimitStatesFile read_limit_states_file(const std::string& path,
   return file;
 }
 
+namespace {
+
+/// The curve of a file of OpenQuake, which states measure and unit, but not the component.
+SiteHazard read_openquake(config::Table& root) {
+  config::Document& document = root.document();
+  for (const char* key : {"measure", "unit", "im", "rate_per_year", "k0", "k"})
+    if (root.has(key)) root.note(key, ": the file of OpenQuake states it");
+  const std::filesystem::path folder = std::filesystem::path(document.path()).parent_path();
+  const std::string file = (folder / root.text("openquake")).lexically_normal().string();
+  std::optional<int> site;
+  if (root.has("site")) site = root.integer("site", 1, std::numeric_limits<int>::max());
+  OpenQuakeHazard found;
+  try {
+    found = read_openquake_hazard(file, site);
+  } catch (const Error& error) {
+    document.note(error);
+  }
+  const groundmotions::Measure measure =
+      groundmotions::parse_measure(found.measure.empty() ? "PGA" : found.measure);
+  const groundmotions::Combination component = read_combination(root, measure);
+  document.finish();
+  return {statistics::HazardCurve::table(found.im, found.rate),
+          name_of(measure) + " " + name_of(component), root.where("openquake")};
+}
+
+}  // namespace
+
 SiteHazard read_hazard_file(const std::string& path) {
+  require(!path.ends_with(".csv"),
+          path +
+              ": a table does not state the component of its measure; name it in a file of its "
+              "own: schema = \"gurney-hazard/1\", openquake = \"FILE.csv\", component = "
+              "\"RotD50\"");
   config::Document document(path);
   config::Table root = root_of(document, "gurney-hazard/1");
+  if (root.has("openquake")) return read_openquake(root);
   const ScalingTarget target = read_scaling_target(root);
   IntensityPlan intensity;
   intensity.kind = IntensityPlan::Kind::kStripes;

@@ -106,6 +106,21 @@ std::string ShardFolders::missing() const {
          fmt::format(", such as {}; the shards are of several counts", fmt::join(missing, ", "));
 }
 
+std::vector<Shard> ShardFolders::incomplete() const {
+  const std::size_t count = shards_.front().count;
+  std::vector<Shard> lacking;
+  if (shards_.back().count != count) return lacking;
+  for (std::size_t number = 1; number <= count; ++number) {
+    const Shard shard{number, count};
+    for (std::size_t task = 0; task < of_task_.size(); ++task)
+      if (of_task_[task] == kNone && shard.has(task)) {
+        lacking.push_back(shard);
+        break;
+      }
+  }
+  return lacking;
+}
+
 std::string ShardFolders::logs() const {
   std::string text;
   for (const Shard& shard : shards_)

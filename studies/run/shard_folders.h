@@ -37,6 +37,9 @@ class ShardFolders {
   /// Which tasks are missing, in words, by shard; empty: none.
   std::string missing() const;
 
+  /// The shards that lack tasks; none where the shards are of several counts.
+  std::vector<Shard> incomplete() const;
+
   /// The bytes of a task. @pre none is missing
   std::string read(std::size_t task) const { return folders_[of_task_[task]]->read(task); }
 

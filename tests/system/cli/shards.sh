@@ -54,6 +54,8 @@ rm a.h5 a.log
 study 0 "shard    1 of 3" job.toml -o a.h5 --shard 1/3
 expect 1 "a.h5.shards: 16 of 24 analysis cases are missing" "$gurney" merge a.h5.shards
 grep -qx "  shard 3/3 lacks 8 of 8" stderr || complain "does not name shard 3"
+grep -qx "  gurney run $PWD/job.toml -o a.h5 --resume --shard 3/3" stderr || complain "does not say how to complete shard 3"
+grep -qx "  sbatch --array=2,3 job.sbatch" stderr || complain "does not say how to complete an array"
 study 1 "a.h5.shards/1-of-3: contains runs of an interrupted study" job.toml -o a.h5 --shard 1/3
 study 0 "shard    1 of 3" job.toml -o a.h5 --shard 1/3 --resume
 study 0 "shard    1 of 2" job.toml -o a.h5 --shard 1/2
@@ -181,11 +183,12 @@ rm job.h5
 printf '#!/bin/sh\nexit 143\n' > bin/srun
 expect 0 "scontrol requeue 9_2" env PATH="$PWD/bin:$PATH" SLURM_ARRAY_JOB_ID=9 SLURM_ARRAY_TASK_ID=2 SLURM_CPUS_PER_TASK=2 bash job.sbatch
 expect 1 "--shards 49: the study has 48 analysis cases" "$gurney" submit job.toml --slurm --shards 49
-expect 1 "needs --slurm" "$gurney" submit job.toml --shards 2
+expect 1 "needs the scheduler: --slurm, --pbs or --lsf" "$gurney" submit job.toml --shards 2
+expect 1 "needs the scheduler" "$gurney" submit job.toml --slurm --lsf --shards 2
 expect 1 "--time 1h: must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time 1h
 expect 1 "--time : must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time ""
 for control in $'\n' $'\r' $'\v' $'\x7f'; do
-  expect 1 "--sbatch: has the control character 0x" "$gurney" submit job.toml --slurm --shards 2 --script never --sbatch "--comment=a${control}touch pwned"
+  expect 1 "--directive: has the control character 0x" "$gurney" submit job.toml --slurm --shards 2 --script never --sbatch "--comment=a${control}touch pwned"
   cp job.toml "a${control}touch pwned${control}#.toml"
   expect 1 "the name of the job file: has the control character 0x" "$gurney" submit "a${control}touch pwned${control}#.toml" --slurm --shards 2 --script never
 done
@@ -193,6 +196,28 @@ gone never
 cp job.toml ./-j.toml
 expect 0 "sbatch ./-j.sbatch" "$gurney" submit ./-j.toml --slurm --shards 2
 grep -q -- ' -o ./-j.h5 ' ./-j.sbatch || complain "a results file looks like an option"
+
+# Scripts for PBS and LSF, with their variables; arrays beyond the largest index of Slurm.
+expect 0 "submit   qsub job.pbs" "$gurney" submit job.toml --pbs --shards 3 --at-most 2 -j 2 --time 00:10:00 "--directive=-q short" --program "$gurney"
+for line in "#PBS -J 1-3%2" "#PBS -l select=1:ncpus=2" "#PBS -l walltime=00:10:00" "#PBS -q short"; do
+  grep -qx -- "$line" job.pbs || complain "the script of PBS has no line $line"
+done
+expect 0 "submit   bsub < job.bsub" "$gurney" submit job.toml --lsf --shards 3 --at-most 2 --time 00:10 --program "$gurney"
+for line in "#BSUB -J 'job[[]1-3[]]%2'" "#BSUB -n 1" "#BSUB -W 00:10" '#BSUB -Q "143"'; do
+  grep -qx -- "$line" job.bsub || complain "the script of LSF has no line $line"
+done
+expect 0 "shard    1 of 3" env PBS_O_WORKDIR="$PWD" PBS_ARRAY_INDEX=1 bash job.pbs
+expect 0 "shard    2 of 3" env LSB_JOBINDEX=2 bash job.bsub
+expect 0 "shard    3 of 3" env LSB_JOBINDEX=3 bash job.bsub
+expect 0 "runs     96" "$gurney" merge job.h5.shards
+same long.h5 job.h5
+rm job.h5
+expect 1 "--mode allocation is for --slurm" "$gurney" submit job.toml --pbs --shards 2 --mode allocation
+expect 1 "--time 1-12:00: must be hours:minutes:seconds" "$gurney" submit job.toml --pbs --shards 2 --time 1-12:00
+sed 's/^draws = .*/draws = 300/' job.toml > many.toml
+expect 0 "GURNEY_SHARDS_BEFORE=1000 sbatch --array=1-200%50 many.sbatch" "$gurney" submit many.toml --slurm --shards 1200 --at-most 50
+grep -qx "#SBATCH --array=1-1000%50" many.sbatch || complain "the array has indices that Slurm refuses"
+grep -q 'shard "$((SLURM_ARRAY_TASK_ID + ${GURNEY_SHARDS_BEFORE:-0}))/1200"' many.sbatch || complain "the second array does not go on"
 
 # The job and its data are never replaced by an output.
 for script in job.toml item.toml a.txt list.csv; do
@@ -209,7 +234,7 @@ gone q.h5.parts
 cp job.toml q.h5
 study 1 "q.h5: is read by this command" q.h5 -o q.h5 --overwrite
 same job.toml q.h5
-expect 1 "must be one option of sbatch" "$gurney" submit job.toml --slurm --shards 2 --sbatch partition=x
+expect 1 "must be one option of the scheduler, such as --partition=short" "$gurney" submit job.toml --slurm --shards 2 --sbatch partition=x
 expect 2 "--shards" "$gurney" submit job.toml --slurm
 
 # From the variables of Slurm and Open MPI.
