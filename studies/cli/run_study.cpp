@@ -169,6 +169,7 @@ int run_study(const RunOptions& options) {
     if (!options.overwrite)
       study::refuse_shards_of_another_study(paths.parts, study::identity_of(batch));
   }
+  note_interruptions();  // from here on there is something to continue
   study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options),
                            shard);
   const study::CrashLog crashes(folder.path() / "crashes");
@@ -177,7 +178,6 @@ int run_study(const RunOptions& options) {
   for (const std::string& warning : folder.warnings()) print_error("{}\n", warning);
   for (const std::string& warning : crashes.warnings()) print_error("{}\n", warning);
 
-  note_interruptions();
   StudyProgress line(options.json || options.quiet);
   study::BatchProgress progress;
   StudySummary summary;
