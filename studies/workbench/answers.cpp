@@ -206,7 +206,6 @@ Json plan_answer(const std::string& job) {
   for (const RoomShape& shape : read.scene.room) room.push_back(outline_of(shape));
   return {{"items", items},
           {"room", room},
-          {"warnings", read.warnings},
           {"tree", tree_of(config::read_toml(job, kJob))}};
 }
 
