@@ -188,7 +188,7 @@ Json catalogue_answer() {
 Json plan_answer(const std::string& job) {
   config::Document document(job, kJob);
   const study::Job read = study::read_job(document);
-  Json items = Json::array(), room = Json::array(), zones = Json::array();
+  Json items = Json::array(), room = Json::array();
   for (const PlacedItem& item : read.scene.items) {
     Json boxes = Json::array(), wheels = Json::array();
     for (const Box& box : item.model.shape) boxes.push_back(rectangle(box.center, box.size));
@@ -204,10 +204,7 @@ Json plan_answer(const std::string& job) {
                      {"wheels", wheels}});
   }
   for (const RoomShape& shape : read.scene.room) room.push_back(outline_of(shape));
-  return {{"items", items},
-          {"room", room},
-          {"warnings", read.warnings},
-          {"tree", tree_of(config::read_toml(job, kJob))}};
+  return {{"items", items}, {"room", room}, {"tree", tree_of(config::read_toml(job, kJob))}};
 }
 
 Json run_answer(const std::string& job) {

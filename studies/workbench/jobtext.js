@@ -23,6 +23,13 @@ function endOf(lines, first, name) {
   return end;
 }
 
+/// What stands below the header of a table.
+function bodyOf(text, name) {
+  const lines = text.split('\n');
+  const first = lines.findIndex((line) => line.replace(/\s/g, '').startsWith(`[${name}]`)) + 1;
+  return lines.slice(first, endOf(lines, first, name)).join('\n').trim();
+}
+
 /// Sets a key of a table with a header of its own. Lines are counted from 1.
 function withKey(text, table, key, value) {
   const lines = text.split('\n');

@@ -45,9 +45,10 @@ const kShippedRecord = 'file = "../../groundmotions/records/synthetic_3c.csv"';
 const kRuns = 100;
 
 class Workbench {
-  constructor(bytes) {
-    this.engines = new Engines(bytes, Math.max(1, Math.min(8, navigator.hardwareConcurrency || 2)));
+  constructor(module) {
+    this.engines = new Engines(module, Math.max(1, Math.min(8, navigator.hardwareConcurrency || 2)));
     this.chosen = 0;
+    this.edits = Promise.resolve();
     this.plan = new Plan(element('plan'), (...where) => this.place(...where), (i) => this.choose(i));
     this.connect();
     this.setText(kFirstJob);
@@ -76,13 +77,25 @@ class Workbench {
 
   /// Sets a key of the table of this name, which is made where it is missing; null: not stated.
   setKey(name, key, value) {
-    const table = within(this.tree, ...name.split('.'));
-    if (table) this.change(withKey(this.text, table, key, value));
-    else if (value !== null) this.change(withTable(this.text, name, `${key} = ${value}`));
+    return this.edit((text) => {
+      const table = within(this.tree, ...name.split('.'));
+      if (table) return withKey(text, table, key, value);
+      return value === null ? text : withTable(text, name, `${key} = ${value}`);
+    });
   }
 
   setItemKey(index, key, value) {
-    this.change(withKey(this.text, itemsOf(this.tree)[index], key, value));
+    return this.edit((text) => withKey(text, itemsOf(this.tree)[index], key, value));
+  }
+
+  /// A change at a line, of the text as the engine has read it; one after the other.
+  edit(changed) {
+    this.edits = this.edits.then(async () => {
+      if (this.text === this.known || (await this.read())) return this.change(changed(this.text));
+      element('status').textContent = 'The job text has errors; mend them first.';
+      if (this.planned) this.plan.draw(this.planned);
+    });
+    return this.edits;
   }
 
   async change(text) {
@@ -97,6 +110,8 @@ class Workbench {
     if (text !== this.text) return false;
     this.showErrors(plan.error || '');
     if (plan.error) return false;
+    this.known = text;
+    this.planned = plan;
     this.tree = plan.tree;
     this.items = plan.items;
     this.chosen = Math.min(this.chosen, plan.items.length - 1);
@@ -117,10 +132,13 @@ class Workbench {
     const record = within(this.tree, 'excitation', 'record');
     const kind = valueOf('excitation', 'record', 'synthetic', 'kind');
     const file = valueOf('excitation', 'record', 'file');
-    const wanted = kind ? `synthetic = { kind = ${asText(kind)} }` : file ? `file = ${asText(file)}` : record ? 'own' : '';
     const motion = element('motion');
-    if (![...motion.options].some((option) => option.value === wanted)) motion.append(made('option', file || 'as the job says', { value: wanted }));
-    motion.value = wanted;
+    motion.value = !record ? '' : kind ? `synthetic = { kind = ${asText(kind)} }` : `file = ${asText(file)}`;
+    if (motion.selectedIndex >= 0 && motion.selectedOptions[0] !== this.own) return;
+    // A record that the list does not have, and comes back with all that the job says of it.
+    this.own = this.own || motion.appendChild(made('option'));
+    this.own.textContent = file || 'as the job says';
+    motion.value = this.own.value = bodyOf(this.text, 'excitation.record');
   }
 
   choose(index) {
@@ -130,14 +148,13 @@ class Workbench {
     element('plan').querySelectorAll('.item').forEach((node, i) => node.classList.toggle('chosen', i === index));
     element('chosen').querySelector('legend').textContent = item.name;
     const keys = itemsOf(this.tree)[index]?.keys || {};
-    element('yaw').value = rounded((item.yaw * 180) / Math.PI, 0.1);
+    element('yaw').value = rounded(degrees(item.yaw), 0.1);
     element('brakes').value = keys.brakes?.value === undefined ? '' : String(keys.brakes.value);
     element('headings').value = keys.headings_deg?.value ?? '';
   }
 
   place(index, at, yaw) {
-    if (at) this.setItemKey(index, 'position_m', `[${at.join(', ')}]`);
-    else this.setItemKey(index, 'yaw_deg', yaw);
+    return at ? this.setItemKey(index, 'position_m', `[${at.join(', ')}]`) : this.setItemKey(index, 'yaw_deg', yaw);
   }
 
   connect() {
@@ -153,7 +170,7 @@ class Workbench {
     changed('motion', (value) => this.change(value ? withTable(this.text, 'excitation.record', value) : withoutTable(withoutTable(this.text, 'excitation.building'), 'excitation.record')));
     element('scale').addEventListener('input', () => (element('scaled').textContent = `× ${this.scale()}`));
     changed('scale', () => this.setKey('excitation.record', 'scale', this.scale()));
-    element('remove').addEventListener('click', () => this.change(withoutItem(this.text, this.chosen)));
+    element('remove').addEventListener('click', () => this.edit((text) => withoutItem(text, this.chosen)));
     element('setup').addEventListener('submit', (event) => {
       event.preventDefault();
       this.run();
@@ -248,6 +265,7 @@ class Workbench {
   }
 
   async run() {
+    this.endSeries();
     element('status').textContent = 'Running…';
     const answer = await this.engines.ask('run', this.text);
     this.showErrors(answer.error || '');
@@ -298,13 +316,17 @@ class Workbench {
     element('progress').textContent = 'Kept: the next run is shown beside it.';
   }
 
+  /// Ends a series of runs that goes on. @returns the number of the next one
+  endSeries() {
+    this.engines.dropCases();
+    return (this.series = (this.series || 0) + 1);
+  }
+
   /// Runs of one job under growing motions; the curves grow with them.
   async many() {
-    this.engines.clear();
+    const series = this.endSeries();
     const cases = [];
     const text = this.text;
-    this.series = (this.series || 0) + 1;
-    const series = this.series;
     const problems = new Set();
     let finished = 0;
     const one = async (index) => {
@@ -382,8 +404,7 @@ async function inflated(base64) {
 async function begin() {
   try {
     const bytes = await inflated(element('engine').textContent);
-    if (!WebAssembly.validate(bytes)) throw new Error('its engine is no WebAssembly that this browser knows');
-    window.workbench = new Workbench(bytes);
+    window.workbench = new Workbench(await WebAssembly.compile(bytes));
     await window.workbench.start();
   } catch (error) {
     element('errors').replaceChildren(made('li', `This file is damaged or the browser too old: ${error.message}`));

@@ -10,6 +10,7 @@ function drawn(name, attributes, ...children) {
 }
 
 const rounded = (value, step) => +(Math.round(value / step) * step).toFixed(3);
+const degrees = (angle) => (angle * 180) / Math.PI;
 const pointsOf = (corners) => corners.map(([x, y]) => `${x},${-y}`).join(' ');
 
 class Plan {
@@ -21,6 +22,7 @@ class Plan {
   }
 
   draw(plan) {
+    if (this.grip) return;  // the change that its drag ends with draws it again
     const focused = this.svg.contains(document.activeElement) ? document.activeElement.dataset.item : undefined;
     this.svg.replaceChildren();
     this.frame(plan);
@@ -42,42 +44,51 @@ class Plan {
   }
 
   item(item, i) {
-    const turn = (-item.yaw * 180) / Math.PI;
     const node = drawn('g', { class: 'item', tabindex: 0, role: 'button', 'data-item': i, 'aria-label': `${item.name}: arrows move it, Q and E turn it` });
-    const place = (at, angle) => node.setAttribute('transform', `translate(${at[0]} ${-at[1]}) rotate(${angle})`);
-    place(item.at, turn);
     for (const box of item.boxes) node.append(drawn('polygon', { points: pointsOf(box) }));
     for (const wheel of item.wheels) node.append(drawn('circle', { class: wheel.braked ? 'wheel braked' : 'wheel', cx: wheel.at[0], cy: -wheel.at[1], r: 0.035 }));
     const front = Math.max(...item.boxes.flat().map(([x]) => x));
     node.append(drawn('path', { class: 'front', d: `M ${front - 0.12} -0.08 L ${front - 0.02} 0 L ${front - 0.12} 0.08` }));
-    node.append(drawn('text', { transform: `rotate(${-turn})`, y: 0.05 }, item.name));
-    this.connect(node, item, i, (at) => place(at, turn));
+    const name = drawn('text', { y: 0.05 }, item.name);
+    node.append(name);
+    const place = () => {
+      node.setAttribute('transform', `translate(${item.at[0]} ${-item.at[1]}) rotate(${-degrees(item.yaw)})`);
+      name.setAttribute('transform', `rotate(${degrees(item.yaw)})`);
+    };
+    place();
+    this.connectPointer(node, item, i, place);
+    this.connectKeys(node, item, i, place);
     return node;
   }
 
-  connect(node, item, i, place) {
+  connectPointer(node, item, i, place) {
     const metres = (event) => {
       const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
       return [p.x, -p.y];
     };
-    let grip = null;
-    let at = item.at;
+    let from;
+    const stop = () => {
+      if (this.grip && from !== item.at) this.moved(i, item.at, null);
+      this.grip = null;
+    };
     node.addEventListener('pointerdown', (event) => {
       node.setPointerCapture(event.pointerId);
       const [x, y] = metres(event);
-      grip = [x - item.at[0], y - item.at[1]];
+      from = item.at;
+      this.grip = [x - item.at[0], y - item.at[1]];
       this.chosen(i);
     });
     node.addEventListener('pointermove', (event) => {
-      if (!grip) return;
+      if (!this.grip) return;
       const [x, y] = metres(event);
-      at = [rounded(x - grip[0], 0.05), rounded(y - grip[1], 0.05)];
-      place(at);
+      item.at = [rounded(x - this.grip[0], 0.05), rounded(y - this.grip[1], 0.05)];
+      place();
     });
-    node.addEventListener('pointerup', () => {
-      if (grip && at !== item.at) this.moved(i, at, null);
-      grip = null;
-    });
+    node.addEventListener('pointerup', stop);
+    node.addEventListener('pointercancel', stop);
+  }
+
+  connectKeys(node, item, i, place) {
     node.addEventListener('keydown', (event) => {
       const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
       const turns = { q: 15, e: -15 };
@@ -86,8 +97,11 @@ class Plan {
       const turn = turns[event.key.toLowerCase()];
       if (!step && !turn) return;
       event.preventDefault();
-      if (step) this.moved(i, [rounded(item.at[0] + size * step[0], 0.05), rounded(item.at[1] + size * step[1], 0.05)], null);
-      else this.moved(i, null, rounded((item.yaw * 180) / Math.PI + turn, 1));
+      if (step) item.at = [rounded(item.at[0] + size * step[0], 0.05), rounded(item.at[1] + size * step[1], 0.05)];
+      else item.yaw += (turn * Math.PI) / 180;
+      place();
+      if (step) this.moved(i, item.at, null);
+      else this.moved(i, null, rounded(degrees(item.yaw), 1));
     });
     node.addEventListener('focus', () => this.chosen(i));
   }

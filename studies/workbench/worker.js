@@ -21,7 +21,7 @@ function answered(words) {
 
 self.onmessage = ({ data }) => {
   if (data.module) {
-    module = new WebAssembly.Module(data.module);
+    module = data.module;
     return;
   }
   if (data.file) {
@@ -31,5 +31,6 @@ self.onmessage = ({ data }) => {
   }
   const start = performance.now();
   const answer = answered(data.words);
-  self.postMessage({ answer, seconds: (performance.now() - start) / 1000 });
+  const seconds = (performance.now() - start) / 1000;
+  self.postMessage({ ...answer, seconds, memory: engine ? engine.exports.memory.buffer.byteLength : 0 });
 };

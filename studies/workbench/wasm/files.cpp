@@ -51,7 +51,7 @@ bool was_read(const std::string&) { return false; }
 }  // namespace gurney
 
 // The functions of <filesystem> that Debian's libc++ for WebAssembly is built without, for these files.
-namespace std::filesystem {
+_LIBCPP_BEGIN_NAMESPACE_FILESYSTEM
 namespace {
 
 using gurney::workbench::files;
@@ -178,4 +178,4 @@ const directory_entry& directory_iterator::__dereference() const {
 filesystem_error::~filesystem_error() = default;
 void filesystem_error::__create_what(int) { __storage_->__what_ = "not a file of this page"; }
 
-}  // namespace std::filesystem
+_LIBCPP_END_NAMESPACE_FILESYSTEM

@@ -52,14 +52,14 @@ Json answered(std::string question) {
 
 extern "C" {
 
-[[gnu::visibility("default")]] char* gurney_buffer(std::size_t size) {
+char* gurney_buffer(std::size_t size) {
   buffer().resize(size);
   return buffer().data();
 }
 
 /// Answers what is in the buffer.
 /// @returns the bytes of the answer, which is in the buffer then
-[[gnu::visibility("default")]] std::size_t gurney_answer() {
+std::size_t gurney_answer() {
   if (gurney::workbench::files().empty()) gurney::workbench::add_archive(kData, sizeof kData);
   Json answer;
   try {

@@ -2,7 +2,9 @@
 #include "engine/base/hash/sha256.h"
 #include "engine/base/parallel.h"
 #include "engine/baselines/stock_baseline.h"
+#include "equipment/catalogue/data_folder.h"
 #include "studies/build_info/build_info.h"
+#include "studies/workbench/wasm/files.h"
 
 // What the program has from OpenSSL, OpenMP, Bullet's dynamics and its own build.
 namespace gurney {
@@ -17,6 +19,10 @@ void parallel_for(std::size_t count, int, const std::function<void(std::size_t)>
 Response baselines::simulate_on_stock_bullet(const Scene&, const FloorMotion&,
                                              const SimulationSettings&, StockBullet) {
   throw Error("settings.solver: the baselines are in the program and not in this page");
+}
+
+equipment::DataFolder equipment::find_data_folder() {
+  return {workbench::kRoot, DataFolder::Origin::kBesideProgram};
 }
 
 build_info::BuildInfo build_info::build_info() {

@@ -9,5 +9,5 @@
 
 #define __arm__ 1
 #define R123_USE_GNU_UINT128 1
-#include </usr/include/Random123/philox.h>
+#include_next <Random123/philox.h>
 #undef __arm__
