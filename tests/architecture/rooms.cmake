@@ -91,6 +91,10 @@ set(GURNEY_ROOMS
   "studies/bindings: engine/base engine/config engine/response engine/run groundmotions/record
     equipment/catalogue studies/build_info studies/job studies/results
     studies/prepare"
+  "studies/workbench: engine/base engine/baselines engine/config engine/run groundmotions/synthetic
+    equipment/catalogue studies/bindings studies/build_info studies/job studies/results studies/prepare
+    studies/limit_states studies/statistics studies/findings studies/render studies/report
+    studies/playback"
   "studies/cli: engine/base engine/config engine/response engine/run groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/models groundmotions/processing
     groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/buildings
@@ -110,7 +114,7 @@ set(GURNEY_LIBRARIES
   "boost/: engine/base groundmotions/synthetic studies/statistics"
   "hdf5|H5: studies/results/hdf5_"
   "nlohmann/: engine/config studies/exports studies/render studies/report
-    studies/page studies/playback studies/cli"
+    studies/page studies/playback studies/workbench studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli"
   "pybind11/: studies/bindings")

@@ -1,0 +1,293 @@
+#include "studies/workbench/answers.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/error.h"
+#include "engine/config/table.h"
+#include "engine/config/toml_reader.h"
+#include "engine/run/run.h"
+#include "equipment/catalogue/catalogue.h"
+#include "groundmotions/synthetic/kinds.h"
+#include "studies/bindings/finished_run.h"
+#include "studies/job/job.h"
+#include "studies/limit_states/limit_state.h"
+#include "studies/playback/page.h"
+#include "studies/prepare/run_job.h"
+#include "studies/render/render.h"
+#include "studies/report/run_report.h"
+#include "studies/results/results_file.h"
+#include "studies/statistics/bands.h"
+#include "studies/statistics/fragility.h"
+
+namespace gurney::workbench {
+namespace {
+
+const std::string kJob = std::string(kFolder) + "job.toml";
+
+Json entry(equipment::DataKind kind, const std::string& name) {
+  config::Document file(equipment::find_data(kind, name, kJob));
+  config::Table root = file.root();
+  return {{"name", name}, {"title", root.text("name")}, {"about", root.text("description")}};
+}
+
+Json entries(equipment::DataKind kind) {
+  Json all = Json::array();
+  for (const std::string& name : equipment::catalogue_names(kind)) all.push_back(entry(kind, name));
+  return all;
+}
+
+/// A job as it is written: what stands where in its text, so that a page can change it there.
+Json tree_of(const config::Node& node) {
+  using Kind = config::Node::Kind;
+  Json tree{{"line", node.place.line}, {"column", node.place.column}};
+  switch (node.kind) {
+    case Kind::kTable:
+      tree["keys"] = Json::object();
+      for (const config::Node& each : node.elements) {
+        tree["keys"][each.key] = tree_of(each);
+        tree["keys"][each.key]["key_line"] = each.key_place.line;
+      }
+      break;
+    case Kind::kArray:
+      tree["list"] = Json::array();
+      for (const config::Node& each : node.elements) tree["list"].push_back(tree_of(each));
+      break;
+    case Kind::kBoolean:
+      tree["value"] = node.boolean;
+      break;
+    case Kind::kInteger:
+    case Kind::kNumber:
+      tree["value"] = node.number;
+      break;
+    default:
+      tree["value"] = node.text;
+  }
+  return tree;
+}
+
+// Findings as people read them.
+
+Json shown(const findings::Section& section);
+
+Json shown(const findings::Fact& fact) {
+  if (fact.label.empty() || fact.value.is_missing()) return nullptr;
+  return {{"label", fact.label},
+          {"value", findings::with_unit(fact.value, fact.format)},
+          {"note", fact.note}};
+}
+
+Json shown(const findings::Table& table) {
+  Json all = Json::array();
+  for (const findings::Table& group : findings::groups_of(table)) {
+    Json columns = Json::array(), rows = Json::array();
+    for (const findings::Column& column : group.columns)
+      if (!column.label.empty())
+        columns.push_back({{"label", findings::heading(column)}, {"meaning", column.meaning}});
+    for (const auto& row : group.rows) {
+      Json cells = Json::array();
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (!group.columns[i].label.empty())
+          cells.push_back(findings::written(row[i].value, row[i].format_in(group.columns[i])));
+      rows.push_back(std::move(cells));
+    }
+    if (!columns.empty() && !rows.empty())
+      all.push_back({{"title", group.title}, {"columns", columns}, {"rows", rows}});
+  }
+  return all.empty() ? Json(nullptr) : Json({{"tables", all}});
+}
+
+Json shown(const findings::List& list) {
+  if (list.lines.empty() || (list.title.empty() && !list.key.empty())) return nullptr;
+  return {{"title", list.title}, {"lines", list.lines}};
+}
+
+Json shown(const findings::Sentence& sentence) { return {{"say", sentence.text}}; }
+
+Json shown(const findings::Section& section) {
+  Json parts = Json::array();
+  for (const findings::Part& part : section.parts) {
+    Json one =
+        std::visit([](const auto& each) { return shown(each); },
+                   static_cast<const std::variant<findings::Fact, findings::Table, findings::List,
+                                                  findings::Sentence, findings::Section>&>(part));
+    if (!one.is_null()) parts.push_back(std::move(one));
+  }
+  return parts.empty() ? Json(nullptr) : Json({{"title", section.title}, {"parts", parts}});
+}
+
+Json limit_states_of(const study::RunFacts& facts, const Response& response) {
+  Json all = Json::array();
+  const std::vector<study::LimitState> states = study::default_limit_states();
+  const study::Values values = study::values_of(facts.scene, response);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    all.push_back({{"name", states[i].name},
+                   {"words", states[i].words},
+                   {"exceeded", study::exceeded(states, i, values)}});
+  return all;
+}
+
+Json pair(double x, double y) { return {x, y}; }
+
+/// Corners of a rectangle, anticlockwise.
+Json rectangle(const Vector3& center, const Vector3& size) {
+  const double x = size.x() / 2, y = size.y() / 2;
+  return {pair(center.x() - x, center.y() - y), pair(center.x() + x, center.y() - y),
+          pair(center.x() + x, center.y() + y), pair(center.x() - x, center.y() + y)};
+}
+
+Json outline_of(const RoomShape& shape) {
+  Json corners = Json::array();
+  const auto* const box = std::get_if<RoomBox>(&shape.shape);
+  const auto* const column = std::get_if<RoomColumn>(&shape.shape);
+  const Vector3 size = box      ? box->size
+                       : column ? Vector3(2 * column->radius, 2 * column->radius, column->height)
+                                : Vector3(0.1, 0.1, 0.1);
+  for (const auto& corner : rectangle(Vector3::Zero(), size)) {
+    const Vector3 at = shape.position + shape.rotation * Vector3(corner[0], corner[1], 0);
+    corners.push_back(pair(at.x(), at.y()));
+  }
+  return {{"name", shape.name}, {"corners", corners}, {"round", column != nullptr}};
+}
+
+study::Motion scaled_motion(study::RecordRequest request, double factor, std::size_t draw) {
+  if (request.scale_to)
+    request.scale_to->value *= factor;
+  else
+    request.scale *= factor;
+  if (request.synthetic && request.synthetic->values.contains("seed"))
+    request.synthetic->values["seed"] += static_cast<double>(draw);
+  return study::motion_of(request);
+}
+
+/// Geometric mean of the horizontal peak accelerations [m/s2]; of the one where the other is none.
+double horizontal_pga(const Vector3& pga) {
+  const double product = pga.x() * pga.y();
+  return product > 0 ? std::sqrt(product) : std::max(pga.x(), pga.y());
+}
+
+}  // namespace
+
+Json catalogue_answer() {
+  using equipment::DataKind;
+  Json kinds = Json::array();
+  for (const auto& kind : groundmotions::synthetic_kinds()) {
+    Json parameters = Json::array();
+    for (const auto& each : kind.parameters)
+      parameters.push_back(
+          {{"key", each.key}, {"meaning", each.meaning}, {"value", each.fallback}});
+    kinds.push_back({{"name", kind.name}, {"about", kind.description}, {"parameters", parameters}});
+  }
+  return {{"items", entries(DataKind::kItem)},         {"casters", entries(DataKind::kCaster)},
+          {"floors", entries(DataKind::kFloor)},       {"rooms", entries(DataKind::kRoom)},
+          {"buildings", entries(DataKind::kBuilding)}, {"synthetic", kinds}};
+}
+
+Json plan_answer(const std::string& job) {
+  config::Document document(job, kJob);
+  const study::Job read = study::read_job(document);
+  Json items = Json::array(), room = Json::array();
+  for (const PlacedItem& item : read.scene.items) {
+    Json boxes = Json::array(), wheels = Json::array();
+    for (const Box& box : item.model.shape) boxes.push_back(rectangle(box.center, box.size));
+    for (const Caster& caster : item.model.casters)
+      wheels.push_back({{"at", pair(caster.mount.x(), caster.mount.y())},
+                        {"heading", caster.heading},
+                        {"braked", caster.brake_torque > 0}});
+    items.push_back({{"name", item.name},
+                     {"model", item.model.name},
+                     {"at", pair(item.initial.position.x(), item.initial.position.y())},
+                     {"yaw", item.initial.yaw},
+                     {"boxes", boxes},
+                     {"wheels", wheels}});
+  }
+  for (const RoomShape& shape : read.scene.room) room.push_back(outline_of(shape));
+  return {{"items", items}, {"room", room}, {"tree", tree_of(config::read_toml(job, kJob))}};
+}
+
+Json run_answer(const std::string& job) {
+  const bindings::FinishedRun run = bindings::run_job({kJob, job, {}, true});
+  const findings::Section all = report::run_findings(run.facts, run.response);
+  Json answer{{"findings", Json::parse(render::json(all))},
+              {"shown", shown(all)},
+              {"narrative", findings::lines_of(report::narrative(run.facts, run.response))},
+              {"outcome", name_of(run.response.outcome)},
+              {"cause", run.response.cause},
+              {"warnings", run.facts.warnings},
+              {"limit_states", limit_states_of(run.facts, run.response)},
+              {"simulated", run.response.end_time},
+              {"recording", nullptr}};
+  if (!run.response.items.empty() && run.response.items.front().history.size() > 1) {
+    study::results_image(run.facts, run.response);
+    answer["recording"] =
+        Json::parse(playback::page_data({{"", playback::read_recorded_run(kJob)}}));
+  }
+  return answer;
+}
+
+Json case_answer(const std::string& job, std::size_t index) {
+  static std::string text;
+  static std::optional<study::JobModel> model;
+  if (!model || text != job) {
+    config::Document document(job, kJob);
+    model.emplace(document);
+    text = job;
+  }
+  const std::size_t draw = index / kLevels;
+  // From a third to three times the motion of the job, evenly in its logarithm.
+  const double factor = std::pow(3, 2.0 * double(index % kLevels) / (kLevels - 1) - 1);
+  study::Job drawn = study::sample(*model, Draw(1, draw));
+  require(drawn.record.has_value(), "a fragility needs a motion of the floor");
+  drawn.settings.history_step = 0;
+  const study::RunFacts facts =
+      study::prepare_run(drawn, scaled_motion(*drawn.record, factor, draw)).facts;
+  const Response response = run(facts.scene, facts.floor, facts.settings);
+  return {{"im", horizontal_pga(facts.record->pga)},
+          {"draw", draw},
+          {"failed", is_failure(response.outcome)},
+          {"limit_states", limit_states_of(facts, response)}};
+}
+
+Json fragility_answer(const Json& cases) {
+  Json curves = Json::array();
+  double highest = 0;
+  for (const Json& each : cases) highest = std::max(highest, each["im"].get<double>());
+  std::vector<double> im;
+  for (int i = 1; i <= 60; ++i) im.push_back(highest * i / 60);
+  const std::vector<study::LimitState> states = study::default_limit_states();
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    std::vector<statistics::Observation> runs;
+    for (const Json& each : cases)
+      if (!each["failed"])
+        runs.push_back({each["im"], each["limit_states"][s]["exceeded"], each["draw"]});
+    const statistics::StripeTable table(runs);
+    const statistics::FragilityFit fit = statistics::fit_fragility(table);
+    const statistics::FragilityBand band = statistics::fragility_band(table, im);
+    Json one{{"name", states[s].name},
+             {"words", states[s].words},
+             {"status", statistics::text(fit.status)},
+             {"runs", fit.runs},
+             {"exceeded", fit.exceeded},
+             {"im", im},
+             {"curve", nullptr},
+             {"low", Json::array()},
+             {"high", Json::array()}};
+    for (const statistics::Interval& each : band.of_curve) {
+      one["low"].push_back(each.low);
+      one["high"].push_back(each.high);
+    }
+    if (fit.curve) {
+      one["curve"] = Json::array();
+      for (const double at : im) one["curve"].push_back(fit.curve->probability(at));
+      one["theta"] = fit.curve->theta;
+      one["beta"] = fit.curve->beta;
+      one["theta_band"] = {band.theta.low, band.theta.high};
+    }
+    curves.push_back(std::move(one));
+  }
+  return {{"curves", curves}};
+}
+
+}  // namespace gurney::workbench

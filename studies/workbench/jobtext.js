@@ -1,0 +1,82 @@
+// Changes of a job in its text, at the places that the engine's reader gives: what somebody wrote stays.
+
+const asText = (value) => JSON.stringify(value);
+
+/// The elements of a table by keys, as `excitation.record`.
+function within(tree, ...path) {
+  return path.reduce((node, key) => node && node.keys && node.keys[key], tree);
+}
+
+function itemsOf(tree) {
+  const items = within(tree, 'item');
+  if (!items) return [];
+  return items.list || [items];
+}
+
+const isHeader = (line) => /^\s*\[/.test(line);
+
+/// One past the last line of a table that begins at a line; its own tables are part of it.
+function endOf(lines, first, name) {
+  let end = first;
+  const own = new RegExp(`^\\s*\\[\\[?\\s*${name.replaceAll('.', '\\.')}\\.`);
+  while (end < lines.length && (!isHeader(lines[end]) || own.test(lines[end]))) ++end;
+  return end;
+}
+
+/// What stands below the header of a table.
+function bodyOf(text, name) {
+  const lines = text.split('\n');
+  const first = lines.findIndex((line) => line.replace(/\s/g, '').startsWith(`[${name}]`)) + 1;
+  return lines.slice(first, endOf(lines, first, name)).join('\n').trim();
+}
+
+/// Sets a key of a table with a header of its own. Lines are counted from 1.
+function withKey(text, table, key, value) {
+  const lines = text.split('\n');
+  const known = table.keys[key];
+  if (value === null) {
+    if (known) lines.splice(known.key_line - 1, 1);
+  } else if (known) {
+    lines[known.key_line - 1] = `${key} = ${value}`;
+  } else {
+    const places = Object.values(table.keys).map((each) => each.key_line);
+    const after = places.length ? Math.min(...places) : table.line + 1;
+    lines.splice(after - 1 + (places.length ? 1 : 0), 0, `${key} = ${value}`);
+  }
+  return lines.join('\n');
+}
+
+/// Without the table of this name and its own tables.
+function withoutTable(text, name) {
+  const lines = text.split('\n');
+  const header = new RegExp(`^\\s*\\[\\[?\\s*${name.replaceAll('.', '\\.')}(\\.[^\\]]*)?\\s*\\]\\]?`);
+  for (let i = 0; i < lines.length; ) {
+    if (header.test(lines[i])) lines.splice(i, endOf(lines, i + 1, name) - i);
+    else ++i;
+  }
+  return lines.join('\n').replace(/\n{3,}/g, '\n\n');
+}
+
+const withTable = (text, name, body) => `${withoutTable(text, name).trimEnd()}\n\n[${name}]\n${body}\n`;
+
+const kItemHeader = /^\s*\[\[?\s*item\s*\]\]?/;
+
+function itemLines(lines) {
+  return lines.flatMap((line, i) => (kItemHeader.test(line) ? [i] : []));
+}
+
+function withItem(text, equipment, name, at) {
+  const lines = text.split('\n').map((line) => line.replace(/^\s*\[\s*item\s*\]/, '[[item]]'));
+  const body = ['[[item]]', `equipment = ${asText(equipment)}`, `name = ${asText(name)}`, `position_m = [${at.join(', ')}]`, ''];
+  const last = itemLines(lines).pop();
+  const place = last === undefined ? lines.length : endOf(lines, last + 1, 'item');
+  lines.splice(place, 0, ...body);
+  return lines.join('\n');
+}
+
+function withoutItem(text, index) {
+  const lines = text.split('\n');
+  const first = itemLines(lines)[index];
+  lines.splice(first, endOf(lines, first + 1, 'item') - first);
+  return lines.join('\n').replace(/\n{3,}/g, '\n\n');
+}

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# The page: one file with its engine, its scripts and the player of studies/playback inside.
+# usage: make_page.sh gurney.wasm workbench.html
+set -euo pipefail
+here=$(dirname "$0")
+player=$here/../playback
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+
+# filled MARK FILE < page: the page with the text of a file in place of a mark
+filled() {
+  awk -v mark="$1" -v file="$2" '
+    (at = index($0, mark)) {
+      printf "%s", substr($0, 1, at - 1)
+      while ((getline line < file) > 0) print line
+      print substr($0, at + length(mark))
+      next
+    } {print}'
+}
+
+cat "$player"/{vectors,recording,meshes,shaders,renderer,camera,room,graph,widgets,player}.js > "$folder/player.js"
+filled '/*STYLE*/' "$player/playback.css" < "$player/page.html" |
+  filled '/*SCRIPT*/' "$folder/player.js" | base64 > "$folder/playback"
+gzip -9 --no-name --stdout "$1" | base64 > "$folder/engine"
+cat "$here"/{host,worker}.js > "$folder/worker.js"
+cat "$here"/{engines,jobtext,plan,page}.js > "$folder/page.js"
+filled '/*STYLE*/' "$here/workbench.css" < "$here/page.html" | filled '/*ENGINE*/' "$folder/engine" |
+  filled '/*PLAYBACK*/' "$folder/playback" | filled '/*WORKER*/' "$folder/worker.js" |
+  filled '/*SCRIPT*/' "$folder/page.js" > "$2"
