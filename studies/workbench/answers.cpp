@@ -207,12 +207,31 @@ Json plan_answer(const std::string& job) {
   return {{"items", items}, {"room", room}, {"tree", tree_of(config::read_toml(job, kJob))}};
 }
 
+/// "Overturned: pole." or "Nothing overturned; ventilator went farthest from its start, 201 mm."
+std::string headline_of(const study::RunFacts& facts, const Response& response) {
+  if (is_failure(response.outcome)) return response.cause;
+  std::string overturned, farthest;
+  double distance = -1;
+  for (std::size_t i = 0; i < response.items.size(); ++i) {
+    const Demands& demands = response.items[i].demands;
+    const std::string& name = facts.scene.items[i].name;
+    if (demands.time_of_overturning >= 0) overturned += (overturned.empty() ? "" : ", ") + name;
+    if (demands.peak_displacement <= distance) continue;
+    distance = demands.peak_displacement;
+    farthest = name;
+  }
+  if (!overturned.empty()) return "Overturned: " + overturned + ".";
+  return fmt::format("Nothing overturned; {} went farthest from its start, {:.0f} mm.", farthest,
+                     1000 * distance);
+}
+
 Json run_answer(const std::string& job) {
   const bindings::FinishedRun run = bindings::run_job({kJob, job, {}, true});
   const findings::Section all = report::run_findings(run.facts, run.response);
   Json answer{{"findings", Json::parse(render::json(all))},
               {"shown", shown(all)},
               {"narrative", findings::lines_of(report::narrative(run.facts, run.response))},
+              {"headline", headline_of(run.facts, run.response)},
               {"outcome", name_of(run.response.outcome)},
               {"cause", run.response.cause},
               {"warnings", run.facts.warnings},

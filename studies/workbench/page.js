@@ -277,7 +277,7 @@ class Workbench {
     this.last = answer;
     window.lastRun = answer;
     element('result').hidden = false;
-    element('headline').textContent = answer.narrative[0] || answer.outcome;
+    element('headline').textContent = answer.headline;
     element('limits').replaceChildren(...answer.limit_states.map(({ name, words, exceeded }) => made('li', `${exceeded ? '' : 'not '}${name}`, { title: words, class: exceeded ? 'exceeded' : 'not' })));
     this.play([answer, this.before].filter((run) => run?.recording));
     this.tell();

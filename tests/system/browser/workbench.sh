@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The workbench in a real browser: the file runs its job, shows a demand of the program, reports an error of a
-# job at its line and goes on, takes records that are dropped, refuses damaged ones. Skipped (77) without
-# Chromium or the page.
+# The workbench in a real browser, with a person's hands: an item is dragged, moved and turned with keys; an
+# error of the job is shown at its line and goes; damaged records are refused, a good one is run; a run is kept
+# beside the next; a hundred runs give curves; demands are those of the program.
+# Skipped (77) without Chromium or the page.
 # usage: workbench.sh GURNEY SOURCE_FOLDER
 set -uo pipefail
 gurney=$1
@@ -11,58 +12,116 @@ page=$source/build/workbench/workbench.html
 . "$source/tests/system/cli/expect.sh"
 . "$source/tests/system/browser/chromium.sh"
 
+# found_by PAGE.html: what its script logs behind "found"; time passes as it does for people, since workers do
+# not hear of virtual time.
+found_by() {
+  "$browser" --headless --no-sandbox --no-first-run --disable-gpu --enable-unsafe-swiftshader --disable-dev-shm-usage \
+    --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$profile" --window-size=1400,900 \
+    --enable-logging=stderr "file://$PWD/$1" 2> log &
+  local process=$!
+  for _ in $(seq 600); do
+    grep -aq 'CONSOLE.*"found' log && break
+    kill -0 "$process" 2> /dev/null || break
+    sleep 0.5
+  done
+  kill "$process" 2> /dev/null
+  wait "$process" 2> /dev/null
+  grep -a ':CONSOLE' log | grep -v '"found\|GL Driver Message' > console
+  grep -a 'CONSOLE.*"found' log | head -1 | sed 's/.*"found//; s/@end".*//'
+}
+
+# with PAGE.html SCRIPT.js: the page with a script at its end
+with() { awk -v script="$2" '/<\/body>/ {print "<script>"; while ((getline line < script) > 0) print line; print "</script>"} {print}' "$1"; }
+
 cat > try.js << 'JS'
 (async () => {
-  const out = (name, value) => document.body.append(made('output', typeof value === 'string' ? value : JSON.stringify(value), { id: `found-${name}` }));
+  const found = {};
   const until = async (what) => { while (!what()) await new Promise((next) => setTimeout(next, 20)); };
-  await until(() => window.lastRun);
-  const bench = window.workbench;
-  out('job', bench.text);
-  out('demands', window.lastRun.findings.items.map((item) => item.demands.peak_displacement));
-  await bench.change(bench.text.replace('brakes = true', 'brakes = maybe'));
-  out('error', element('errors').textContent);
-  await bench.change(bench.text.replace('maybe', 'true'));
-  out('mended', element('errors').textContent);
-  await bench.addRecords([new File(['no record at all'], 'damaged.AT2')]);
-  out('damaged', element('errors').textContent);
-  const rows = Array.from({ length: 400 }, (_, i) => `${(0.01 * i).toFixed(2)},${(2 * Math.sin(0.06 * i) * Math.sin(Math.PI * i / 399) ** 2).toFixed(6)}`);
-  await bench.addRecords([new File([`t_s,x_m_per_s2\n${rows.join('\n')}\n`], 'mine.csv')]);
-  await bench.change(bench.text.replace('file = "mine.csv"', 'file = "mine.csv"\nuse = "x"'));
-  await bench.run();
-  out('record', element('errors').textContent || window.lastRun.findings.record.name);
-  bench.place(1, [0.9, 1.25], null);
-  await until(() => bench.text.includes('[0.9, 1.25]'));
-  await bench.many();
-  out('curves', window.lastCurves.curves.map((curve) => curve.runs));
+  const errors = () => element('errors').textContent;
+  const item = (i) => document.querySelector(`[data-item="${i}"]`);
+  try {
+    await until(() => window.lastRun);
+    const bench = window.workbench;
+    found.job = bench.text;
+    found.demands = window.lastRun.findings.items.map((each) => each.demands.peak_displacement);
+    found.headline = element('headline').textContent;
+
+    const box = item(1).getBoundingClientRect();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const pointer = (type, dx) => item(1).dispatchEvent(new PointerEvent(type, { clientX: x + dx, clientY: y, pointerId: 1, bubbles: true }));
+    item(1).setPointerCapture = () => {};  // no pointer of a real hand is there
+    for (const [type, dx] of [['pointerdown', 0], ['pointermove', 12], ['pointermove', 30], ['pointerup', 30]]) pointer(type, dx);
+    await until(() => !bench.text.includes('[0.95, 1.2]'));
+    found.dragged = bench.text.match(/name = "ventilator"\nposition_m = \[(.*)\]/)[1];
+    item(1).dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp' }));
+    await until(() => bench.text.includes('1.25]'));
+    item(1).dispatchEvent(new KeyboardEvent('keydown', { key: 'q' }));
+    await until(() => bench.text.includes('yaw_deg = 15'));
+    element('brakes').value = 'true';
+    element('brakes').dispatchEvent(new Event('change'));
+    await until(() => !bench.text.includes('brakes = false'));
+    found.errors_of_hands = errors();
+
+    const good = bench.text;
+    await bench.change(good.replace('brakes = true', 'brakes = maybe'));
+    found.error = errors();
+    await bench.change(good);
+    found.mended = errors();
+    await bench.addRecords([new File(['no record at all'], 'damaged.AT2')]);
+    found.damaged = errors();
+    const rows = Array.from({ length: 400 }, (_, i) => `${(0.01 * i).toFixed(2)},${(2 * Math.sin(0.06 * i) * Math.sin((Math.PI * i) / 399) ** 2).toFixed(6)}`);
+    await bench.addRecords([new File([`t_s,x_m_per_s2\n${rows.join('\n')}\n`], 'mine.csv')]);
+    await bench.change(bench.text.replace('file = "mine.csv"', 'file = "mine.csv"\nuse = "x"'));
+    await bench.run();
+    found.record = errors() || window.lastRun.findings.record.name;
+    bench.keep();
+    await bench.run();
+    found.compared = [...document.querySelectorAll('#kept h2')].map((each) => each.textContent).join();
+    await bench.many();
+    found.curves = window.lastCurves.curves.map((curve) => curve.runs);
+    found.drawn = document.querySelectorAll('#curves svg').length;
+  } catch (error) {
+    found.thrown = `${error}`;
+  }
+  console.log(`found${JSON.stringify(found)}@end`);
 })();
 JS
-awk '/<\/body>/ {print "<script>"; while ((getline line < "try.js") > 0) print line; print "</script>"} {print}' \
-  "$page" > tried.html
-browser_waits=(--virtual-time-budget=600000 --enable-unsafe-swiftshader)
-dom tried.html "${browser_waits[@]}" > stdout
-cp stdout dom.html
-value() { sed -n "/id=\"found-$1\"/,/<\/output>/p" dom.html | sed 's/.*id="found-'"$1"'">//; s/<\/output>.*//; s/&quot;/"/g'; }
+with "$page" try.js > tried.html
+found_by tried.html > found.json
+value() { node -e 'const of = JSON.parse(require("fs").readFileSync("found.json"))[process.argv[1]]; console.log(typeof of === "string" ? of : JSON.stringify(of) ?? "")' "$1"; }
 value job > job.toml
-mkdir -p data
-[ -s job.toml ] || complain "the page does not run its job"
+grep -q gurney-job job.toml || { complain "the page does not run its job: $(head -c 300 found.json)"; exit 1; }
+[ -z "$(value thrown)" ] || complain "the page throws: $(value thrown)"
 sed -i "s|../../groundmotions|$source/groundmotions|" job.toml
 "$gurney" run job.toml -o job.h5 --no-figure --json > program.json || complain "the program does not run the job"
 node -e '
 const [ours, program] = [JSON.parse(process.argv[1]), JSON.parse(require("fs").readFileSync("program.json"))];
 program.items.forEach((item, i) => { if (!(Math.abs(item.demands.peak_displacement - ours[i]) <= 1e-9)) throw new Error(`${item.name}: ${ours[i]}`); });
 ' "$(value demands)" 2> stderr || complain "the page has other demands than the program"
+value headline | grep -qx "Nothing overturned; .* went farthest from its start, [0-9]* mm." || complain "the headline is $(value headline)"
+value dragged | grep -q "^1[.0-9]*, 1.2$" || complain "the dragged item is at $(value dragged)"
+[ -z "$(value errors_of_hands)" ] || complain "hands make errors: $(value errors_of_hands)"
 value error | grep -q "line 7: not valid TOML" || complain "an error of the job has no line: $(value error)"
 [ -z "$(value mended)" ] || complain "an error stays when it is mended: $(value mended)"
 value damaged | grep -q "damaged.AT2" || complain "a damaged record gives no message: $(value damaged)"
 value record | grep -q "mine" || complain "a dropped record is not run: $(value record)"
+[ "$(value compared)" = Now,Before ] || complain "runs do not stand beside each other: $(value compared)"
 value curves | grep -q "100" || complain "a hundred runs are not made: $(value curves)"
-grep -v "GL Driver Message" console > others
-[ -s others ] && { cp others stdout; complain "the page logs"; }
+[ "$(value drawn)" -gt 0 ] || complain "no curve is drawn"
+[ -s console ] && { cp console stdout; complain "the page logs"; }
 
-# A file that lost its end says so.
+# A file that lost its end still opens; one whose engine is damaged says so.
 head -c 200000 "$page" > damaged.html
-printf '</script><script>document.body.append("still here")</script></body></html>' >> damaged.html
-dom damaged.html --virtual-time-budget=5000 | grep -q "still here" || complain "a damaged file is not opened"
+printf '</script><script>console.log("foundstill here@end")</script></body></html>' >> damaged.html
+found_by damaged.html | grep -q "still here" || complain "a damaged file is not opened"
+cat > wait.js << 'JS'
+const wait = setInterval(() => {
+  if (!element('errors').textContent) return;
+  clearInterval(wait);
+  console.log(`found${element('errors').textContent}@end`);
+}, 50);
+JS
 awk '/id="engine"/ {sub(/H4sI/, "H4sX")} {print}' "$page" > broken.html
-dom broken.html "${browser_waits[@]}" | grep -q "This file is damaged" || complain "a damaged engine is not reported"
+with broken.html wait.js > broken_waits.html
+found_by broken_waits.html | grep -q "This file is damaged" || complain "a damaged engine is not reported"
 exit $((failures > 0))
