@@ -70,7 +70,7 @@ cat > try.js << 'JS'
     await bench.addRecords([new File(['no record at all'], 'damaged.AT2')]);
     found.damaged = errors();
     const rows = Array.from({ length: 400 }, (_, i) => `${(0.01 * i).toFixed(2)},${(2 * Math.sin(0.06 * i) * Math.sin((Math.PI * i) / 399) ** 2).toFixed(6)}`);
-    await bench.addRecords([new File([`t_s,x_m_per_s2\n${rows.join('\n')}\n`], 'mine.csv')]);
+    await bench.addRecords([new File([`time_s,x_m_per_s2\n${rows.join('\n')}\n`], 'mine.csv')]);
     await bench.change(bench.text.replace('file = "mine.csv"', 'file = "mine.csv"\nuse = "x"'));
     await bench.run();
     found.record = errors() || window.lastRun.findings.record.name;
@@ -101,7 +101,7 @@ program.items.forEach((item, i) => { if (!(Math.abs(item.demands.peak_displaceme
 value headline | grep -qx "Nothing overturned; .* went farthest from its start, [0-9]* mm." || complain "the headline is $(value headline)"
 value dragged | grep -q "^1[.0-9]*, 1.2$" || complain "the dragged item is at $(value dragged)"
 [ -z "$(value errors_of_hands)" ] || complain "hands make errors: $(value errors_of_hands)"
-value error | grep -q "line 7: not valid TOML" || complain "an error of the job has no line: $(value error)"
+value error | grep -q "line 8: not valid TOML" || complain "an error of the job has no line: $(value error)"
 [ -z "$(value mended)" ] || complain "an error stays when it is mended: $(value mended)"
 value damaged | grep -q "damaged.AT2" || complain "a damaged record gives no message: $(value damaged)"
 value record | grep -q "mine" || complain "a dropped record is not run: $(value record)"
