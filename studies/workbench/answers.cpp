@@ -12,6 +12,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/bindings/finished_run.h"
+#include "studies/findings/findings.h"
 #include "studies/job/job.h"
 #include "studies/limit_states/limit_state.h"
 #include "studies/playback/page.h"
