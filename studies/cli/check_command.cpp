@@ -1,19 +1,14 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
-
 #include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/check_file.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/equipment_check.h"
-#include "studies/cli/job_argument.h"
-#include "studies/cli/print.h"
-#include "studies/cli/scale_warnings.h"
-#include "studies/cli/study_size.h"
-#include "studies/cli/study_warnings.h"
+#include "studies/cli/equipment_command.h"
+#include "studies/cli/output.h"
+#include "studies/cli/study_output.h"
 #include "studies/plan/stages.h"
 #include "studies/prepare/run_job.h"
 #include "studies/report/overview_report.h"
@@ -191,16 +186,16 @@ int check_command(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* const check =
-      app.add_subcommand("check", "Validate a job and estimate its cost (dry run)");
-  check->add_option("JOB", options->job, "The job file; or a file of an item, caster, room ...")
-      ->required();
-  check->add_flag("--json", options->json, "Print the answer as JSON");
-  check->add_option("-j,--threads", options->threads, "Threads of the study")
-      ->check(CLI::Range(1, 4096));
-  check->callback([options, &action] { action = [options] { return check_command(*options); }; });
+void add_check(Commands& commands) {
+  commands.add<CheckOptions>({"check", "Validate a job and estimate its cost (dry run)",
+                              "gurney check studies/jobs/icu_ventilator_fragility.toml\n"
+                              "gurney check job.toml --json"},
+                             check_command, [](Options& add, CheckOptions& options) {
+                               add.required("JOB", options.job,
+                                            "The job file; or a file of an item, caster, room ...");
+                               add("--json", options.json, "Print the answer as JSON");
+                               add.threads(options.threads, "Threads of the study");
+                             });
 }
 
 }  // namespace gurney::cli

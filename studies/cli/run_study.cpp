@@ -1,5 +1,3 @@
-#include "studies/cli/run_study.h"
-
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -12,13 +10,9 @@
 #include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
-#include "studies/cli/scale_warnings.h"
-#include "studies/cli/signals.h"
-#include "studies/cli/standard_error.h"
+#include "studies/cli/process.h"
+#include "studies/cli/run_command.h"
 #include "studies/cli/study_output.h"
-#include "studies/cli/study_progress.h"
-#include "studies/cli/study_size.h"
-#include "studies/cli/study_warnings.h"
 #include "studies/report/failed_runs.h"
 #include "studies/results/output_files.h"
 #include "studies/run/complete_study.h"

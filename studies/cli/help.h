@@ -32,7 +32,17 @@ CommandOption option_of(const CLI::Option& option);
 /// "gurney run [OPTIONS] JOB"
 std::string usage(const Command& command);
 
-/// Gives the values of options their names, instead of CLI11's TEXT, INT and FLOAT.
-void name_values(CLI::App& app);
+/// The layout of --help: what an option takes is a FILE, a NAME or a NUMBER, and descriptions are
+/// broken at the width of the terminal.
+class HelpFormat : public CLI::Formatter {
+ public:
+  HelpFormat();
+  std::string make_usage(const CLI::App* app, std::string name) const override;
+  std::string make_option(const CLI::Option* option, bool positional) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+};
+
+/// The manual page gurney(1) of all commands, in the language of man(7).
+std::string manual_page(const CLI::App& app, const std::string& version);
 
 }  // namespace gurney::cli

@@ -1,4 +1,4 @@
-#include "studies/cli/job_argument.h"
+#include "studies/cli/arguments.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include "engine/base/files.h"
 #include "engine/base/shell_word.h"
 #include "engine/config/document.h"
+#include "equipment/catalogue/catalogue.h"
 #include "groundmotions/formats/format.h"
 
 namespace gurney::cli {
@@ -46,6 +47,14 @@ bool is_record(const std::string& path) {
 }
 
 }  // namespace
+
+std::string item_file(const std::string& name) {
+  try {
+    return equipment::find_data(equipment::DataKind::kItem, name, "");
+  } catch (const Error& error) {
+    throw Error(name + ": " + error.what());
+  }
+}
 
 void require_job(const std::string& path, const std::string& command) {
   if (!is_file(path)) return;  // the reader of jobs states why
