@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "groundmotions/buildings/isolation.h"
-#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/buildings/modal_building.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -6,7 +6,7 @@
 #include "groundmotions/formats/format.h"
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/acceleration_unit.h"
-#include "groundmotions/record/time_step_range.h"
+#include "groundmotions/record/record.h"
 
 /// Statements of a file on itself, checked against the user's options and against its samples. Lines
 /// are counted from 1.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/base/units.h"
-#include "groundmotions/measures/oscillator_pack.h"
+#include "groundmotions/measures/oscillator.h"
 #include "groundmotions/measures/response_spectrum.h"
 
 namespace gurney::groundmotions {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <filesystem>
+#include <vector>
+
 #include "groundmotions/suites/suite.h"
 
 namespace gurney::groundmotions {
@@ -19,5 +22,11 @@ Suite read_folder_suite(const std::filesystem::path& folder, const ReadOptions& 
 /// The same for files in the order given; the options are checked against what the files say.
 Suite group_files(const std::vector<std::filesystem::path>& files, const ReadOptions& options = {},
                   const Progress& progress = {});
+
+/// Takes the velocities and displacements out of `files` whose acceleration is among them: X.VT2
+/// and X.DT2 beside X.AT2, X.vel and X.dis beside X.acc, X.VEL.ASC beside X.ACC.ASC, letter case
+/// apart.
+/// @returns how many were taken out
+std::size_t drop_companions(std::vector<std::filesystem::path>& files);
 
 }  // namespace gurney::groundmotions

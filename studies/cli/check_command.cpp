@@ -12,7 +12,7 @@
 #include "studies/plan/stages.h"
 #include "studies/prepare/run_job.h"
 #include "studies/report/overview_report.h"
-#include "studies/report/scale_factors.h"
+#include "studies/report/study_report.h"
 #include "studies/run/declared_ranges.h"
 #include "studies/run/estimate.h"
 

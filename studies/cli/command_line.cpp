@@ -16,14 +16,13 @@
 #include "engine/base/printable.h"
 #include "engine/config/nearest_name.h"
 #include "studies/build_info/build_info.h"
-#include "studies/build_info/libraries.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/help.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/process.h"
 #include "studies/cli/run_command.h"
 #include "studies/cli/shared_options.h"
-#include "studies/render/emphasis.h"
+#include "studies/render/wrapped.h"
 
 namespace gurney::cli {
 namespace {

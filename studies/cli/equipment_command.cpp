@@ -16,7 +16,6 @@
 #include "studies/cli/process.h"
 #include "studies/cli/shared_options.h"
 #include "studies/figures/equipment_figure.h"
-#include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
 
 namespace gurney::cli {

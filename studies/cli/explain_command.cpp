@@ -60,7 +60,7 @@ int explain(const ExplainOptions& options) {
   require(options.what_if || options.replicas == 0,
           "--replicas: are of the variants of --what-if, which is missing");
   options.figure.check(options.overwrite);
-  const CaseAgain again = case_again(options.file, options.run, options.job);
+  const RepeatedRun again = repeated_run(options.file, options.run, options.job);
   const explanation::Explanation found = explained(again, options.units).explanation;
   std::optional<explanation::WhatIf> what;
   if (options.what_if && !found.failed)

@@ -8,7 +8,7 @@
 #include "engine/base/printable.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/analysis/overview.h"
-#include "studies/calibration/pulling/trials.h"
+#include "studies/calibration/pulling/trial_job.h"
 #include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"

@@ -10,7 +10,6 @@
 #include "studies/figures/fragility_figures.h"
 #include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/fragility_report.h"
-#include "studies/report/vector_report.h"
 
 namespace gurney::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "engine/base/error.h"
 #include "engine/run/run.h"
-#include "studies/analysis/run_levels.h"
+#include "studies/analysis/demand_runs.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
 #include "studies/cli/repeated_run.h"

@@ -12,7 +12,6 @@
 #include "engine/config/document.h"
 #include "engine/config/table.h"
 #include "groundmotions/processing/pipeline.h"
-#include "groundmotions/processing/step_reader.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "studies/cli/inline_table.h"
 #include "studies/cli/process.h"

@@ -15,7 +15,6 @@
 #include "studies/cli/shared_options.h"
 #include "studies/figures/record_figures.h"
 #include "studies/report/record_report.h"
-#include "studies/report/record_table.h"
 
 namespace gurney::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/catalogue.h"
-#include "groundmotions/buildings/building_reader.h"
+#include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
 #include "studies/cli/commands.h"

@@ -7,7 +7,6 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/models/bssa14.h"
-#include "groundmotions/models/epsilon_correlation.h"
 #include "studies/cli/commands.h"
 
 namespace gurney::cli {

@@ -17,7 +17,7 @@
 #include "engine/run/run.h"
 #include "studies/build_info/build_info.h"
 #include "studies/explanation/explain.h"
-#include "studies/plan/data_files.h"
+#include "studies/plan/study_job.h"
 #include "studies/report/run_report.h"
 #include "studies/results/columns.h"
 #include "studies/results/hdf5_reader.h"
@@ -133,14 +133,14 @@ std::string difference_to(const std::string& path, const StoredDemands& stored,
   return {};
 }
 
-CaseAgain single_run(const std::string& path, const std::string& named) {
+RepeatedRun single_run(const std::string& path, const std::string& named) {
   const study::Hdf5Reader file(path);
   require(type_of(file) == "gurney-results", path + ": is not a results file");
   const std::string job = named.empty() ? job_of_log(path) : named;
   require(!job.empty() && is_there(job),
           fmt::format("{}: the job's file {}; name it with --job", path,
                       job.empty() ? "is not known" : job + " " + why_not_there(job)));
-  CaseAgain result{study::prepare_run(job), {}};
+  RepeatedRun result{study::prepare_run(job), {}};
   const std::string& text = result.run.facts.job_text;
   if (result.run.facts.job_sha256 != file.text_attribute("job_sha256"))
     throw Error(fmt::format("{}: is not the job of {}: {}", job, path,
@@ -207,7 +207,7 @@ bool is_study(const std::string& path) {
   return type_of(study::Hdf5Reader(path)) == "gurney-study";
 }
 
-CaseAgain case_again(const std::string& file, std::optional<std::size_t> index,
+RepeatedRun repeated_run(const std::string& file, std::optional<std::size_t> index,
                      const std::string& job) {
   if (!is_study(file)) {
     require(index.value_or(0) == 0, file + ": is a single run, which has no --run but 0");
@@ -219,7 +219,7 @@ CaseAgain case_again(const std::string& file, std::optional<std::size_t> index,
           [of_study](const Response& response) { return of_study->difference(response); }};
 }
 
-Explained explained(const CaseAgain& again, const study::UnitSystem& units) {
+Explained explained(const RepeatedRun& again, const study::UnitSystem& units) {
   const study::RunFacts& facts = again.run.facts;
   const auto settings =
       explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());

@@ -46,7 +46,7 @@ class StudyCase {
 bool is_study(const std::string& path);
 
 /// The run of a results file, to be run again: the one of a single run, or one of a study.
-struct CaseAgain {
+struct RepeatedRun {
   study::PreparedRun run;
   /// What differs from the demands in the file, and what may be why; empty: nothing.
   std::function<std::string(const Response&)> difference;
@@ -55,7 +55,7 @@ struct CaseAgain {
 /// @param index  the run of a study; of a single run none or 0
 /// @param job  the job's file; empty: where the log beside the file says it was
 /// @throws Error where the file has no such run, or the job is not that of the file
-CaseAgain case_again(const std::string& file, std::optional<std::size_t> index,
+RepeatedRun repeated_run(const std::string& file, std::optional<std::size_t> index,
                      const std::string& job);
 
 /// Why a run ended as it did, and what happened in it.
@@ -66,6 +66,6 @@ struct Explained {
 
 /// Runs the case again, with histories of single steps, and explains it.
 /// @throws Error where its demands are not those of the file
-Explained explained(const CaseAgain& again, const study::UnitSystem& units = {});
+Explained explained(const RepeatedRun& again, const study::UnitSystem& units = {});
 
 }  // namespace gurney::cli

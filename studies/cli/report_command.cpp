@@ -20,7 +20,7 @@ struct ReportOptions {
 void add_explanation(page::PageRequest& request) {
   try {
     if (is_study(request.file)) return;
-    Explained found = explained(case_again(request.file, {}, request.job), request.units);
+    Explained found = explained(repeated_run(request.file, {}, request.job), request.units);
     request.explanation = std::move(found.explanation);
     request.narrative = std::move(found.narrative);
   } catch (const Error& error) {

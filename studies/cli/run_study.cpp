@@ -13,14 +13,13 @@
 #include "studies/cli/process.h"
 #include "studies/cli/run_command.h"
 #include "studies/cli/study_output.h"
-#include "studies/report/failed_runs.h"
+#include "studies/report/study_report.h"
 #include "studies/results/output_files.h"
-#include "studies/run/complete_study.h"
-#include "studies/run/folder_lock.h"
-#include "studies/run/identity_file.h"
+#include "studies/run/part_folder.h"
 #include "studies/run/run_batch.h"
 #include "studies/run/shard.h"
 #include "studies/run/shard_folders.h"
+#include "studies/run/study_file.h"
 #include "studies/run/study_identity.h"
 
 namespace gurney::cli {

@@ -11,7 +11,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
 #include "studies/cli/study_output.h"
-#include "studies/report/failed_runs.h"
+#include "studies/report/study_report.h"
 #include "studies/run/shard_status.h"
 
 namespace gurney::cli {

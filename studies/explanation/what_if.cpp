@@ -14,7 +14,6 @@
 #include "engine/run/run.h"
 #include "engine/scene/perturbed.h"
 #include "studies/explanation/explain.h"
-#include "studies/explanation/margins.h"
 #include "studies/explanation/words.h"
 #include "studies/findings/findings.h"
 #include "studies/statistics/bands.h"

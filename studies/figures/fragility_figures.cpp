@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/analysis/report_unit.h"
+#include "studies/analysis/study_data.h"
 #include "studies/figures/labels.h"
 
 namespace gurney::figures {

@@ -24,7 +24,6 @@
 #include "studies/job/old_names.h"
 #include "studies/job/record_reader.h"
 #include "studies/job/room_reader.h"
-#include "studies/job/supports_reader.h"
 
 namespace gurney::study {
 namespace {

@@ -27,4 +27,8 @@ struct Style {
 /// @throws Error for a figure that is too large
 std::string written(const std::string& svg, Format format, const Style& style = {});
 
+/// The figure without colours: each as grey as it looks. The colours of curves
+/// (figures::palette()) become black, or one grey, and differ by dashes.
+std::string in_grey(const std::string& svg);
+
 }  // namespace gurney::picture

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/base/printable.h"
-#include "studies/render/emphasis.h"
 #include "studies/render/render.h"
 #include "studies/render/wrapped.h"
 

@@ -30,4 +30,10 @@ std::vector<std::string> fragility_notes(const study::FragilityResult& result,
 std::vector<std::string> notes_on_curves(const std::vector<study::FragilityResult>& results,
                                          const study::ReportUnit& unit);
 
+/// For each configuration and limit state the slopes of both measures, whether the second adds to
+/// the first, and beta beside those of each alone. JSON is in SI unless units are chosen; no fit:
+/// its plane is null.
+findings::Section vector_findings(const study::StudyData& data,
+                                  const std::vector<study::VectorResult>& results);
+
 }  // namespace gurney::report

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/calibration/trials/instrument_noise.h"
 #include "studies/calibration/trials/setup_reader.h"
+#include "studies/calibration/trials/trial.h"
 
 namespace gurney::report {
 namespace {

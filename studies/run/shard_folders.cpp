@@ -7,7 +7,6 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
-#include "studies/run/identity_file.h"
 #include "studies/run/study_identity.h"
 
 namespace gurney::study {

@@ -7,7 +7,7 @@
 #include "studies/verification/cases/sliding_block.h"
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/blocks.h"
-#include "studies/verification/scenes/face_contact.h"
+#include "studies/verification/scenes/planar_impact.h"
 
 // A wall that covers a part of the block's front only: the corners of the polygon that wall and
 // front have in common are springs of the contact's stiffness each. Guides leave x and yaw free.

@@ -1,13 +1,12 @@
-#include "studies/analysis/vector_result.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
+#include "studies/analysis/fragility_result.h"
 #include "studies/figures/fragility_figures.h"
 #include "studies/render/render.h"
-#include "studies/report/vector_report.h"
+#include "studies/report/fragility_report.h"
 #include "tests/studies/analysis/made_study.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"

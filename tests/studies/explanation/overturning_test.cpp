@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(Falls, LookAgainstTheFall) {
+TEST(Overturnings, LookAgainstTheirDirection) {
   const study::RunFacts facts = fabricated_ward();
   Response response = fabricated_ward_response();
   const auto all = overturnings_of(facts, response);

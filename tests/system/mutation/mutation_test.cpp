@@ -8,7 +8,7 @@
 #include "engine/config/document.h"
 #include "engine/run/simulate.h"
 #include "equipment/catalogue/check_file.h"
-#include "groundmotions/buildings/building_reader.h"
+#include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/formats/format.h"
 #include "groundmotions/synthetic/kinds.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "groundmotions/assembly/place.h"
 #include "groundmotions/record/record.h"
 
 namespace gurney::groundmotions {
@@ -47,5 +48,17 @@ struct NameMatches {
 /// pairs of FEMA P-695) and one vertical at most, of one time step and of lengths that differ by
 /// 1 % at most (an assumption). Letters that number files (A, B ... N) join none.
 NameMatches match_names(const std::vector<NamedFile>& files);
+
+/// Whether the file of a component says nothing but times and numbers.
+bool lacks_direction(const Component& component);
+
+/// Directions of the components whose files say none and that nobody stated, from the names of
+/// their files (name_marks.h), with a warning each. A lone file is a vertical if its name says so.
+void orient_by_file_names(std::vector<UnplacedComponent>& components);
+
+/// The name of a record of several files: what their stems begin and end with, without the names of
+/// the components and the separators before them. "X_NIS000" and "X_NIS090" are of "X_NIS",
+/// "16839_H1.cor" and "16839_V.cor" of "16839". Where that says little all stems, apart by " + ".
+std::string common_name(const std::vector<std::string>& stems);
 
 }  // namespace gurney::groundmotions

@@ -1,4 +1,4 @@
-#include "groundmotions/buildings/building_reader.h"
+#include "groundmotions/buildings/building.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,75 @@
 #include <numbers>
 #include <optional>
 
-#include "groundmotions/buildings/generic_building.h"
-#include "groundmotions/buildings/isolation_reader.h"
-#include "groundmotions/buildings/shear_building.h"
+#include "engine/base/units.h"
+#include "engine/config/table.h"
+#include "groundmotions/buildings/isolation.h"
+#include "groundmotions/buildings/modal_building.h"
 
 namespace gurney::groundmotions {
-
 namespace {
+
+using config::Range;
+using config::Table;
+
+constexpr double kLinerShear = 0.5;  ///< of a sliding surface [mm]; an assumption
+
+double meters(double millimeters) { return millimeters / kMillimetersPerMeter; }
+
+Isolation read_linear(Table& table) {
+  const double period = table.number("period_s", Range::positive());
+  const double damping = table.number("damping_ratio", Range::not_negative());
+  return linear_isolation(period > 0 ? period : 1, damping);
+}
+
+Isolation read_lead_rubber(Table& table) {
+  const std::size_t before = table.document().errors();
+  const double period = table.number("period_s", Range::positive());
+  const double strength = table.number("strength_ratio", Range::positive());
+  const double yield = meters(table.number("yield_displacement_mm", Range::positive()));
+  const double damping = table.number("damping_ratio", Range::not_negative(), 0.0);
+  if (table.document().errors() > before) return linear_isolation(1, 0);
+  return lead_rubber(period, strength, yield, damping);
+}
+
+Isolation read_friction_pendulum(Table& table) {
+  const std::size_t before = table.document().errors();
+  const double radius = table.number("radius_m", Range::positive());
+  const double slow = table.number("friction_slow", Range::within(0, 1));
+  const double fast = table.number("friction_fast", Range::within(0, 1));
+  const double rate = table.number("friction_rate_s_per_m", Range::not_negative());
+  const double yield =
+      meters(table.number("yield_displacement_mm", Range::positive(), kLinerShear));
+  const bool vertical = table.boolean("vertical_load", true);
+  if (!(fast >= slow))
+    table.note("friction_fast",
+               fmt::format(" = {}: must be at least friction_slow = {}", fast, slow));
+  if (table.document().errors() > before) return linear_isolation(1, 0);
+  Isolation isolation = friction_pendulum(radius, slow, fast, rate, yield);
+  isolation.follows_vertical = vertical;
+  return isolation;
+}
+
+/// Reads the table `isolation` of a building; errors are noted in the table's document, and a
+/// linear isolation that means nothing is returned.
+Isolation read_isolation(Table& table) {
+  Isolation isolation;
+  switch (table.choice("kind", {"lead_rubber", "friction_pendulum", "linear"})) {
+    case 0:
+      isolation = read_lead_rubber(table);
+      break;
+    case 1:
+      isolation = read_friction_pendulum(table);
+      break;
+    default:
+      isolation = read_linear(table);
+  }
+  isolation.base_mass_ratio = table.number("base_mass_ratio", Range::within(0.01, 0.99));
+  isolation.capacity =
+      meters(table.number("displacement_capacity_mm", Range::positive().with_infinity(),
+                          std::numeric_limits<double>::infinity()));
+  return isolation;
+}
 
 using config::Range;
 using config::Table;

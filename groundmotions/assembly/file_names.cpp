@@ -1,4 +1,4 @@
-#include "groundmotions/assembly/name_marks.h"
+#include "groundmotions/assembly/file_names.h"
 
 #include <fmt/format.h>
 
@@ -6,15 +6,17 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 
 #include "engine/base/units.h"
+#include "groundmotions/formats/header_text.h"
 #include "groundmotions/formats/numbers.h"
+#include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
-
 namespace {
 
 constexpr double kRight = std::numbers::pi / 2;
@@ -369,6 +371,64 @@ class NameMatcher {
   NameMatches result_;
 };
 
+std::filesystem::path file_name(const Component& component) {
+  return std::filesystem::path(component.file).filename();
+}
+
+void take(const NameMark& mark, Component& component) {
+  component.name = mark.text;
+  component.azimuth = mark.azimuth;
+  if (!mark.azimuth) component.direction = mark.place;
+  component.warnings.push_back(
+      fmt::format("its direction ({}) was taken from the file's name", mark.text));
+  if (mark.points_down) turn_up(mark.text, component);
+}
+
+/// The user's word counts; the name is a reason to look again.
+void warn_of_stated_vertical(UnplacedComponent& each) {
+  if (!each.stated || *each.stated == Direction::kVertical) return;
+  if (const auto mark = vertical_mark(file_name(each.component)))
+    each.component.warnings.push_back(
+        fmt::format("{}: the file's name says '{}', a vertical; it is used as {}",
+                    each.component.file, mark->text, name_of(*each.stated)));
+}
+
+constexpr std::size_t kFewestLetters = 3;
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+std::size_t common_size(const std::vector<std::string>& stems) {
+  std::size_t size = stems[0].size();
+  for (const std::string& stem : stems)
+    size = std::min(size, static_cast<std::size_t>(std::ranges::mismatch(stems[0], stem).in1 -
+                                                   stems[0].begin()));
+  return size;
+}
+
+/// Whether all stems that go on with a digit have three digits of an azimuth from `at` on.
+bool azimuths_follow(const std::vector<std::string>& stems, std::size_t at) {
+  std::size_t azimuths = 0;
+  for (const std::string& stem : stems) {
+    std::size_t end = at;
+    while (end < stem.size() && is_digit(stem[end])) ++end;
+    if (end == at) continue;
+    if (end != at + 3 || number(stem.substr(at, 3)).value_or(999) > 360) return false;
+    ++azimuths;
+  }
+  return azimuths > 1;
+}
+
+/// The first digits of azimuths are no part of the name: 000 and 090 begin alike.
+std::size_t before_azimuths(const std::vector<std::string>& stems, std::size_t size) {
+  for (std::size_t back = 0; back < 3 && back <= size; ++back) {
+    if (azimuths_follow(stems, size - back)) return size - back;
+    if (back < size && !is_digit(stems[0][size - back - 1])) break;
+  }
+  return size;
+}
+
+bool is_blank_part(char c) { return std::string_view("-_. ").find(c) != std::string_view::npos; }
+
 }  // namespace
 
 std::vector<NameMark> name_marks(const std::filesystem::path& file) {
@@ -395,5 +455,37 @@ std::optional<NameMark> vertical_mark(const std::filesystem::path& file) {
 }
 
 NameMatches match_names(const std::vector<NamedFile>& files) { return NameMatcher(files).match(); }
+
+bool lacks_direction(const Component& component) {
+  return !component.azimuth && !component.direction &&
+         (component.name.empty() || component.name.starts_with("column ") ||
+          upper(component.name) == "A" || quantity_in(component.name) == "acceleration");
+}
+
+void orient_by_file_names(std::vector<UnplacedComponent>& components) {
+  std::vector<NamedFile> files;
+  std::vector<UnplacedComponent*> unknown;
+  for (UnplacedComponent& each : components) {
+    const auto of_one_file = std::ranges::count_if(
+        components, [&](const auto& other) { return other.component.file == each.component.file; });
+    if (of_one_file > 1 || !lacks_direction(each.component)) continue;
+    warn_of_stated_vertical(each);
+    if (each.stated) continue;
+    files.push_back({.path = file_name(each.component)});
+    unknown.push_back(&each);
+  }
+  const NameMatches matches = match_names(files);
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+    if (matches.marks[i]) take(*matches.marks[i], unknown[i]->component);
+}
+
+std::string common_name(const std::vector<std::string>& stems) {
+  if (std::ranges::all_of(stems, [&](const auto& stem) { return stem == stems[0]; }))
+    return stems[0];
+  std::size_t size = before_azimuths(stems, common_size(stems));
+  while (size > 0 && is_blank_part(stems[0][size - 1])) --size;
+  return size < kFewestLetters ? fmt::format("{}", fmt::join(stems, " + "))
+                               : stems[0].substr(0, size);
+}
 
 }  // namespace gurney::groundmotions
