@@ -14,7 +14,7 @@ namespace gurney {
 /// at and above it the item `ICU bed` ends 0.05 m away (limit state `moved`), below it 0.001 m.
 /// Nothing else is exceeded. Run kFailed failed. Runs 0 to 9 were repeated with half the step:
 /// peak_displacement of run k is 1 + k % larger there, and run kChanged did not move.
-struct FabricatedStudy {
+struct SyntheticStudy {
   static constexpr std::size_t kRecords = 40, kFailed = 17, kChanged = 4;
   static const std::vector<double> kLevels;  ///< [g]
 

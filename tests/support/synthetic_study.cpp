@@ -1,4 +1,4 @@
-#include "tests/support/fabricated_study.h"
+#include "tests/support/synthetic_study.h"
 
 #include <fmt/format.h>
 
@@ -12,13 +12,13 @@
 
 namespace gurney {
 
-const std::vector<double> FabricatedStudy::kLevels{0.1, 0.2, 0.3, 0.5, 0.8, 1.2};
+const std::vector<double> SyntheticStudy::kLevels{0.1, 0.2, 0.3, 0.5, 0.8, 1.2};
 
 namespace {
 
-using Study = FabricatedStudy;
+using Study = SyntheticStudy;
 
-constexpr const char* kJob = R"toml(title = "Fabricated & <plain>"
+constexpr const char* kJob = R"toml(title = "Synthetic & <plain>"
 [study]
 draws = 1
 synthetic_records = 40
@@ -61,10 +61,10 @@ void write_texts(study::Hdf5Writer& file, const std::string& name,
 void write_heads(study::Hdf5Writer& file, bool ida) {
   study::add_program(file, "gurney-study", study::kStudyFormatVersion);
   for (const auto& [name, value] :
-       std::vector<std::pair<std::string, std::string>>{{"job_name", "fabricated"},
+       std::vector<std::pair<std::string, std::string>>{{"job_name", "synthetic"},
                                                         {"job_text", job_text(ida)},
                                                         {"job_sha256", "abc"},
-                                                        {"title", "Fabricated & <plain>"},
+                                                        {"title", "Synthetic & <plain>"},
                                                         {"seed", "1"},
                                                         {"intensity_measure", "PGA larger"},
                                                         {"intensity_units", "m/s2"}})
@@ -228,20 +228,20 @@ class Tables {
 
 }  // namespace
 
-statistics::LognormalCurve FabricatedStudy::curve(std::size_t configuration) {
+statistics::LognormalCurve SyntheticStudy::curve(std::size_t configuration) {
   return configuration == 0 ? statistics::LognormalCurve{0.35, 0.4}
                             : statistics::LognormalCurve{0.6, 0.5};
 }
 
-std::size_t FabricatedStudy::run(std::size_t configuration, std::size_t record, std::size_t level) {
+std::size_t SyntheticStudy::run(std::size_t configuration, std::size_t record, std::size_t level) {
   return (configuration * kRecords + record) * kLevels.size() + level;
 }
 
-bool FabricatedStudy::moved(std::size_t configuration, std::size_t record, std::size_t level) {
+bool SyntheticStudy::moved(std::size_t configuration, std::size_t record, std::size_t level) {
   return kLevels[level] >= curve(configuration).quantile((double(record) + 0.5) / kRecords);
 }
 
-void FabricatedStudy::write(const std::string& path, bool step_check, bool ida) {
+void SyntheticStudy::write(const std::string& path, bool step_check, bool ida) {
   study::Hdf5Writer file(path);
   write_heads(file, ida);
   Tables(file).write(step_check);

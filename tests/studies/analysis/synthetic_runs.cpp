@@ -1,4 +1,4 @@
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,8 @@ void add_texts(Hdf5Writer& file, const std::string& name,
   table.finish();
 }
 
-void add_half_steps(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
-  if (std::ranges::all_of(runs, [](const MadeRun& run) { return run.half_step < 0; })) return;
+void add_half_steps(Hdf5Writer& file, const std::vector<SyntheticRun>& runs) {
+  if (std::ranges::all_of(runs, [](const SyntheticRun& run) { return run.half_step < 0; })) return;
   GrowingTable table(file, "half_step");
   table.add_whole("run", "run");
   table.add_text("item", "item", 4);
@@ -38,9 +38,9 @@ void add_half_steps(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
   table.finish();
 }
 
-void add_points(Hdf5Writer& file, const std::string& name, const std::vector<MadeRun>& runs,
-                std::optional<double> MadeRun::*acceleration) {
-  const auto has = [&](const MadeRun& run) { return (run.*acceleration).has_value(); };
+void add_points(Hdf5Writer& file, const std::string& name, const std::vector<SyntheticRun>& runs,
+                std::optional<double> SyntheticRun::*acceleration) {
+  const auto has = [&](const SyntheticRun& run) { return (run.*acceleration).has_value(); };
   if (std::ranges::none_of(runs, has)) return;
   GrowingTable table(file, name);
   table.add_whole("run", "run");
@@ -56,7 +56,7 @@ void add_points(Hdf5Writer& file, const std::string& name, const std::vector<Mad
   table.finish();
 }
 
-void add_drawn(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
+void add_drawn(Hdf5Writer& file, const std::vector<SyntheticRun>& runs) {
   if (runs.empty() || runs.front().draw < 0) return;
   GrowingTable drawn(file, "drawn");
   drawn.add_whole("configuration", "configuration");
@@ -64,7 +64,7 @@ void add_drawn(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
   drawn.add_text("variable", "variable", kWidth);
   drawn.add_number("value", "1", "value");
   std::set<std::pair<std::size_t, int>> written;
-  for (const MadeRun& run : runs) {
+  for (const SyntheticRun& run : runs) {
     if (!written.insert({run.configuration, run.draw}).second) continue;
     for (const auto& [variable, value] : run.drawn)
       drawn.put(double(run.configuration)).put(double(run.draw)).put(variable).put(value).end_row();
@@ -74,7 +74,7 @@ void add_drawn(Hdf5Writer& file, const std::vector<MadeRun>& runs) {
 
 }  // namespace
 
-void MadeStudy::write(const std::string& path) const {
+void SyntheticRuns::write(const std::string& path) const {
   Hdf5Writer file(path);
   for (const auto& [name, text] :
        std::map<std::string, std::string>{{"filetype", "gurney-study"},
@@ -121,14 +121,14 @@ void MadeStudy::write(const std::string& path) const {
   for (const char* name : {"angle", "scale", "intensity", "pfa", "pfv", "energy_closure"})
     table.add_number(name, "1", name);
   const bool magnitudes =
-      std::ranges::any_of(runs, [](const MadeRun& run) { return run.magnitude.has_value(); });
+      std::ranges::any_of(runs, [](const SyntheticRun& run) { return run.magnitude.has_value(); });
   if (magnitudes) table.add_number("magnitude", "1", "magnitude");
   table.add_text("outcome", "outcome", 10);
   items.add_whole("run", "run");
   items.add_text("item", "item", 4);
   items.add(demand_columns());
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const MadeRun& run = runs[i];
+    const SyntheticRun& run = runs[i];
     table.put(double(i))
         .put(double(run.record))
         .put(double(run.configuration))
@@ -152,12 +152,12 @@ void MadeStudy::write(const std::string& path) const {
   for (GrowingTable* each : {&motions, &table, &items}) each->finish();
   add_drawn(file, runs);
   add_half_steps(file, runs);
-  add_points(file, "points", runs, &MadeRun::acceleration);
-  add_points(file, "half_step_points", runs, &MadeRun::half_step_acceleration);
+  add_points(file, "points", runs, &SyntheticRun::acceleration);
+  add_points(file, "half_step_points", runs, &SyntheticRun::half_step_acceleration);
   file.finish();
 }
 
-std::string made_job(const std::string& in_study, const std::string& after) {
+std::string synthetic_job(const std::string& in_study, const std::string& after) {
   return "schema = \"gurney-job/1\"\n[item]\nequipment = \"cart\"\n[study]\nmeasures = \"PGV "
          "h1\"\n" +
          in_study +

@@ -1,4 +1,4 @@
-#include "tests/support/fabricated_ward.h"
+#include "tests/support/synthetic_ward.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,7 +188,7 @@ std::vector<Impact> impacts() {
 
 }  // namespace
 
-study::RunFacts fabricated_ward() {
+study::RunFacts synthetic_ward() {
   study::RunFacts facts;
   facts.job_name = "ward";
   facts.job_sha256 = std::string(64, 'd');
@@ -222,7 +222,7 @@ study::RunFacts fabricated_ward() {
   return facts;
 }
 
-Response fabricated_ward_response() {
+Response synthetic_ward_response() {
   Response response;
   response.outcome = Outcome::kOverturned;
   response.end_time = 15;

@@ -10,7 +10,7 @@
 namespace gurney::study {
 
 /// One run of a study that was never simulated; item `cart`.
-struct MadeRun {
+struct SyntheticRun {
   std::size_t configuration = 0, record = 0;
   double level = 1;         ///< the study's intensity [m/s2], and the factor on the record
   double displacement = 0;  ///< peak [m]
@@ -28,11 +28,11 @@ struct MadeRun {
 };
 
 /// A study file with known outcomes.
-struct MadeStudy {
+struct SyntheticRuns {
   std::string job;  ///< its configurations' factor, if any, is named "brakes"
   std::vector<std::string> configurations{""}, records;
   std::vector<std::string> files;  ///< of the records; empty: their names
-  std::vector<MadeRun> runs;
+  std::vector<SyntheticRun> runs;
   std::vector<std::string> design = {};  ///< inputs of a Saltelli design
   std::string measure = "PGA h1";
   std::string commit = "abc";
@@ -43,7 +43,7 @@ struct MadeStudy {
 };
 
 /// Levels 1 and 2 m/s2 of PGA, limit states `moved` (above 0.1 m) and `fell`, and what is given.
-std::string made_job(const std::string& in_study = "", const std::string& after = "");
+std::string synthetic_job(const std::string& in_study = "", const std::string& after = "");
 
 /// A factor with the configurations false and true.
 inline constexpr const char* kBrakes =

@@ -1,4 +1,4 @@
-#include "tests/support/fabricated_run.h"
+#include "tests/support/synthetic_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ Demands counted_demands() {
 
 }  // namespace
 
-study::RunFacts fabricated_facts(bool pulled) {
+study::RunFacts synthetic_facts(bool pulled) {
   study::RunFacts facts;
   facts.job_name = pulled ? "pull" : "shake";
   facts.job_text = "title = \"A trolley\"\n";
@@ -116,7 +116,7 @@ study::RunFacts fabricated_facts(bool pulled) {
   return facts;
 }
 
-Response fabricated_response(bool pulled) {
+Response synthetic_response(bool pulled) {
   Response response;
   response.outcome = Outcome::kRested;
   response.end_time = 24;

@@ -7,7 +7,7 @@ namespace gurney {
 
 /// A made-up but plausible run: a four-caster trolley with one marked point, shaken or pulled.
 /// Every number of the response differs from every other, so that mixed-up columns show.
-study::RunFacts fabricated_facts(bool pulled = false);
-Response fabricated_response(bool pulled = false);
+study::RunFacts synthetic_facts(bool pulled = false);
+Response synthetic_response(bool pulled = false);
 
 }  // namespace gurney

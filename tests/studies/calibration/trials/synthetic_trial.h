@@ -10,7 +10,7 @@
 namespace gurney::calibration {
 
 /// A rigid trolley on the pulling rig: uniform acceleration, then uniform deceleration.
-struct MadePull {
+struct SyntheticPull {
   double resistance = 0.02;  ///< Cr / R
   double force = 45;         ///< F of phase II [N]
   double start = 0.5, pull = 2, end = 12;
@@ -25,7 +25,7 @@ struct MadePull {
   double stop() const { return start + pull + a2() * pull / a3(); }
 };
 
-inline Trial make_pull(const MadePull& p) {
+inline Trial make_pull(const SyntheticPull& p) {
   constexpr double kRate = 120;  // as the motion capture of the paper [Hz]
   Trial trial;
   trial.name = "made";
