@@ -53,7 +53,7 @@ NameMatches match_names(const std::vector<NamedFile>& files);
 bool lacks_direction(const Component& component);
 
 /// Directions of the components whose files say none and that nobody stated, from the names of
-/// their files (name_marks.h), with a warning each. A lone file is a vertical if its name says so.
+/// their files (name_marks()), with a warning each. A lone file is a vertical if its name says so.
 void orient_by_file_names(std::vector<UnplacedComponent>& components);
 
 /// The name of a record of several files: what their stems begin and end with, without the names of

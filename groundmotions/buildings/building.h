@@ -12,7 +12,7 @@
 
 namespace gurney::groundmotions {
 
-/// What stands between the ground and the equipment. The axes of the building are those of the
+/// Structure between the ground and the equipment. The axes of the building are those of the
 /// record that shakes it: h1, h2, vertical. No torsion, no soil-structure interaction.
 struct Building {
   std::string name;

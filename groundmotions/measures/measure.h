@@ -43,7 +43,7 @@ Measure parse_measure(std::string_view text);
 /// The text form that parse_measure() reads: "Sa(1, 2%)".
 std::string name_of(const Measure& measure);
 
-/// What the measure is, in a sentence.
+/// Definition of the measure, in a sentence.
 std::string definition_of(const Measure& measure);
 
 /// A unit to print a value in.

@@ -53,7 +53,7 @@ EndMotion end_motion(double time_step, const Eigen::VectorXd& acceleration);
 /// A residual velocity that is visible however long the record [m/s].
 inline constexpr double kVisibleVelocity = 0.05;
 
-/// What a floor motion leaves at its end, and whether that is plausible.
+/// Residual motion at the end of a floor motion, and whether that is plausible.
 ///
 /// An item on casters integrates the floor's acceleration twice by itself. In a prototype of this
 /// engine a baseline error of 0.001 g moved a trolley's peak displacement from 0.38 to 0.56 m. If

@@ -38,7 +38,7 @@ struct Component {
 struct Record {
   std::string name;
   std::array<std::optional<Component>, 3> components;  ///< indexed by Direction; at least one
-  /// Of a floor: about h1 and h2, right-handed, as many samples as the components.
+  /// Rotation of a floor about h1 and h2, right-handed, as many samples as the components.
   std::optional<FloorRotation> rotation;
   std::vector<std::string> warnings;    ///< of the files and of their assembly
   std::vector<std::string> processing;  ///< what was done to the samples since, step by step

@@ -62,7 +62,7 @@ struct SuiteSpectra {
 };
 
 /// The same, with the floor kept between the periods too: the common factor is that of the lowest
-/// ratio anywhere in the range (lowest_ratio.h, to 1e-4, which is added). Least squares and misfits
+/// ratio anywhere in the range (lowest_ratio(), to 1e-4, which is added). Least squares and misfits
 /// are those at the periods given.
 SuiteScaling scale_suite(const Eigen::VectorXd& periods, const SuiteSpectra& spectra,
                          const std::vector<std::string>& names,

@@ -13,7 +13,7 @@ namespace gurney::groundmotions {
 /// Every file is read once. A file with several components is a record, or one for each of its
 /// sites; files with one component are put together (grouping.h). PEER search reports group the
 /// files they name. Velocities and displacements beside their acceleration are passed over
-/// (companions.h). A file that is not a record is refused with its reason.
+/// (companions()). A file that is not a record is refused with its reason.
 /// @param options  for the files that cannot be read without them
 /// @throws Error if the folder holds no files.
 Suite read_folder_suite(const std::filesystem::path& folder, const ReadOptions& options = {},

@@ -41,7 +41,7 @@ std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& chan
 
 /// Files of one component as records, of different names. Components belong together if folder and
 /// site are the same and
-/// - their files are named alike but for the component (name_marks.h where only the name says it), or
+/// - their files are named alike but for the component (file_names.h where only the name says it), or
 /// - event and station are the same and together they can be one record: one vertical and two
 ///   horizontals at most, none parallel, that start together. Where there are more than that, those
 ///   whose names are most alike.

@@ -25,7 +25,7 @@ struct CheckOptions {
   int threads = 0;
 };
 
-/// What is known of a job: a value for programs, and words for people beside the key without its
+/// Facts of a job: a value for programs, and words for people beside the key without its
 /// unit.
 class Answer {
  public:
@@ -65,7 +65,7 @@ void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
                            1 + plan.more_stages, study::kLevelsOfAStage));
 }
 
-/// Of the levels as stated: of an IDA the first, for the others are not known before it runs.
+/// Scale factors of the stated levels: of an IDA the first, for the others are not known before it runs.
 void add_scale_factors(Answer& answer, const study::Batch& batch) {
   const study::IntensityPlan& plan = batch.job.study().intensity;
   const bool ida = plan.kind == study::IntensityPlan::Kind::kIda;

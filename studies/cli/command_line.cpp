@@ -89,7 +89,7 @@ const Group kGroups[] = {
     {"Clusters", {add_submit, add_status, add_merge}},
     {"Program", {add_doctor, add_completion}}};
 
-/// What is wrong with the command, before its options are looked at; empty if nothing is.
+/// Error in the name of the command, before its options are looked at; empty if none.
 std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {

@@ -29,7 +29,7 @@ std::vector<std::string> flags_of(const Command& command) {
   return flags;
 }
 
-/// What may follow a command: those below it, or the values of its arguments.
+/// Words that may follow a command: those below it, or the values of its arguments.
 std::vector<std::string> words_after(const Command& command) {
   std::vector<std::string> words = command.commands;
   for (const CommandOption& option : command.options)

@@ -16,7 +16,7 @@ std::string path_of(const CLI::App& app) {
   return above + (above.empty() ? "" : " ") + app.get_name();
 }
 
-/// Of CLI::IsMember: `NAME:{on,off}`.
+/// Choices in the type name of CLI::IsMember: `NAME:{on,off}`.
 std::vector<std::string> choices_of(const std::string& type) {
   const std::size_t from = type.find('{'), to = type.rfind('}');
   std::vector<std::string> choices;

@@ -36,7 +36,7 @@ class NewFolder {
   bool made_ = false;
 };
 
-/// What a record came from and what was done to it, as comments of a CSV file.
+/// Source and processing of a record, as comments of a CSV file.
 std::vector<std::string> record_comments(const groundmotions::Record& record);
 
 /// The text of a record in Gurney's CSV, with its comments.

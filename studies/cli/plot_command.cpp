@@ -28,7 +28,7 @@
 namespace gurney::cli {
 namespace {
 
-/// What `gurney plot` is asked for.
+/// Request to `gurney plot`.
 struct PlotRequest {
   std::string file, kind;
   std::vector<std::string> what;  ///< histories, demands, limit states; empty: the usual ones
@@ -236,7 +236,7 @@ std::string plotted(const PlotRequest& request, const figures::PlotPage& page) {
   return kind.draw(request, page);
 }
 
-/// What can be plotted from a file: a paragraph for each kind.
+/// Plots that a file allows: a paragraph for each kind.
 std::string plot_list(const std::string& file) {
   const study::StoredHistories stored(file);
   const bool study = study::is_study_file(file), histories = !stored.names().empty();

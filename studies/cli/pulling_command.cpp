@@ -26,7 +26,7 @@ struct PullingOptions {
   bool json = false, overwrite = false;
 };
 
-/// Of the run that is asked for; else the first that a measured trial is like; else the first.
+/// Index of the run that is asked for; else the first that a measured trial is like; else the first.
 std::size_t shown(const PullingOptions& options, const report::PullingReport& report) {
   const auto& trials = report.trials;
   const auto found = std::ranges::find_if(trials, [&](const calibration::SimulatedTrial& trial) {

@@ -27,7 +27,7 @@
 namespace gurney::cli {
 namespace {
 
-/// What follows the last `word` at the start of a line; empty where there is none.
+/// Text behind the last `word` at the start of a line; empty where there is none.
 std::string value_of(const std::string& text, const std::string& word) {
   const auto place = text.rfind('\n' + word + ' ');
   if (place == std::string::npos) return {};
@@ -208,7 +208,7 @@ bool is_study(const std::string& path) {
 }
 
 RepeatedRun repeated_run(const std::string& file, std::optional<std::size_t> index,
-                     const std::string& job) {
+                         const std::string& job) {
   if (!is_study(file)) {
     require(index.value_or(0) == 0, file + ": is a single run, which has no --run but 0");
     return single_run(file, job);

@@ -18,7 +18,7 @@ namespace gurney::cli {
 /// is found from here; empty: none.
 std::string job_of_log(const std::string& results);
 
-/// What is said of the job of results where nothing has its path: "does not exist any more", or why
+/// Message on the job of results where nothing has its path: "does not exist any more", or why
 /// the system cannot look for it.
 std::string why_not_there(const std::string& path);
 
@@ -32,7 +32,7 @@ class StudyCase {
   const std::string& job() const { return job_; }
   study::PreparedRun prepared() const;
 
-  /// What differs from the demands in the file, and what may be why; empty: nothing.
+  /// Difference to the demands in the file, with its probable cause; empty: none.
   std::string difference(const Response& response) const;
 
  private:
@@ -48,7 +48,7 @@ bool is_study(const std::string& path);
 /// The run of a results file, to be run again: the one of a single run, or one of a study.
 struct RepeatedRun {
   study::PreparedRun run;
-  /// What differs from the demands in the file, and what may be why; empty: nothing.
+  /// Difference to the demands in the file, with its probable cause; empty: none.
   std::function<std::string(const Response&)> difference;
 };
 
@@ -56,7 +56,7 @@ struct RepeatedRun {
 /// @param job  the job's file; empty: where the log beside the file says it was
 /// @throws Error where the file has no such run, or the job is not that of the file
 RepeatedRun repeated_run(const std::string& file, std::optional<std::size_t> index,
-                     const std::string& job);
+                         const std::string& job);
 
 /// Why a run ended as it did, and what happened in it.
 struct Explained {

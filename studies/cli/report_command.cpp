@@ -16,7 +16,7 @@ struct ReportOptions {
   bool overwrite = false;
 };
 
-/// Of one run, where its job can be run again and gives the same demands.
+/// Explains one run, where its job can be run again and gives the same demands.
 void add_explanation(page::PageRequest& request) {
   try {
     if (is_study(request.file)) return;

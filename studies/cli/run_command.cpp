@@ -47,7 +47,7 @@ RunOutput output_of(const RunOptions& options) {
 
 namespace fs = std::filesystem;
 
-/// What differs between two equal runs stands here and not in the results file.
+/// Facts that differ between two equal runs stand here and not in the results file.
 std::string log_text(const std::string& job, const Response& response, double seconds) {
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);

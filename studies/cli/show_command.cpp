@@ -42,7 +42,7 @@ std::string job_of_folder(const fs::path& folder) {
   return path;
 }
 
-/// Of what is finished, as a results file that is there for the moment. Its runs will have other
+/// Shows finished cases by a temporary results file. Its runs will have other
 /// numbers once the study is complete, so that none can be repeated yet.
 int show_unfinished(const ShowOptions& options) {
   const study::FinishedCases cases(options.file);

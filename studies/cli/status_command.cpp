@@ -90,7 +90,7 @@ Total total_of(const std::vector<ShardStatus>& shards) {
   return all;
 }
 
-/// Of all shards, those with the slowest runs first.
+/// Records of all shards, those with the slowest runs first.
 std::vector<std::pair<std::string, RecordTime>> slowest_records(
     const std::vector<ShardStatus>& shards) {
   constexpr std::size_t kMost = 5;

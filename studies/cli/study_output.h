@@ -13,7 +13,7 @@
 
 namespace gurney::cli {
 
-/// What its results file says of all runs of a study, known without reading it back: a study may be
+/// Summary of all runs of a study as its results file has it, known without reading it back: a study may be
 /// larger than the memory.
 struct StudySummary {
   study::RunCounts counts;

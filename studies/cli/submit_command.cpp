@@ -85,7 +85,7 @@ std::string no_option(const std::string& path) {
   return path.starts_with('-') ? "./" + path : path;
 }
 
-/// Of an array a task ends with SIGTERM before its time is over: it is put into the queue again.
+/// A task of an array ends with SIGTERM before its time is over: it is put into the queue again.
 constexpr const char* kAgain = R"(code=$?
 if [ "$code" -eq 143 ]; then  # the time is over: go on in another allocation
   scontrol requeue "{}"

@@ -8,7 +8,7 @@
 
 namespace gurney::doctor {
 
-/// What was looked at on this machine, and whether the program can work with it.
+/// Checks of this machine, and whether the program can work on it.
 struct Finding {
   enum class State { kOk, kWarning, kProblem };
   State state = State::kOk;

@@ -41,7 +41,7 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
   return result;
 }
 
-/// Of the worst finding; of several the first to overturn, the hardest hit, the farthest moved.
+/// Item of the worst finding; of several the first to overturn, the hardest hit, the farthest moved.
 std::size_t subject_of(const std::vector<ItemFacts>& items, const Response& response) {
   const auto severity = [&](std::size_t i) {
     const Impact* hit = hardest_impact(response, i);
@@ -130,7 +130,7 @@ void find_worst(const Response& response, Explanation& result) {
   }
 }
 
-/// Of an overturned item the one that every report of the run names.
+/// Overturning of an item, the one that every report of the run names.
 void find_pulse(const study::RunFacts& facts, const Response& response, Explanation& result) {
   if (result.direction.isZero()) return;
   if (result.item().finding != Finding::kOverturned) {

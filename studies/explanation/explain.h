@@ -39,7 +39,7 @@ double critical_tilt(const EquipmentModel& item, const Sample& sample);
 TiltMargin tilt_margin(const EquipmentModel& item, const std::vector<Sample>& history,
                        double until);
 
-/// What holding an item takes and what its casters can hold, in a sample [N].
+/// Force that holds an item and capacity of its casters, in a sample [N].
 struct Grip {
   double demand = 0, grip = 0;
 };

@@ -34,7 +34,7 @@ std::string measure_label(const study::DemandRuns& runs);  ///< "PGV larger (m/s
 /// "ICU bed, off"; what is common to all panels of a figure goes without saying.
 std::string panel_title(const study::DemandRuns& runs, const std::string& configuration);
 
-/// Of the runs whose item did not overturn, in the figure's unit.
+/// Largest values of the runs whose item did not overturn, in the figure's unit.
 double largest_demand(const study::DemandRuns& runs);
 double largest_intensity(const study::DemandRuns& runs);
 

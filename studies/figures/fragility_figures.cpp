@@ -54,7 +54,7 @@ void add_fractions(Panel& panel, const std::vector<statistics::Stripe>& stripes,
   panel.marks.push_back(std::move(marks));
 }
 
-/// Of a figure of one study: marks of fewer runs would be 0 or 1 by chance.
+/// Least runs of a mark in a figure of one study: marks of fewer runs would be 0 or 1 by chance.
 double fewest_of(const std::vector<statistics::Stripe>& stripes) {
   constexpr double kFewest = 3;
   double most = 0;

@@ -56,7 +56,7 @@ constexpr double kTick = 4;
 const Pen kAxis{.stroke = "#444444", .width = 0.8};
 const Pen kGrid{.stroke = "#e6e6e6", .width = 0.7};
 
-/// Of all that is drawn along an axis.
+/// Range of all that is drawn along an axis.
 Range range_of(const Panel& panel, bool along_x) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   const auto widen = [&](const std::vector<double>& values) { range = widened(range, values); };

@@ -39,7 +39,7 @@ class Svg {
   void polyline(const Points& points, const Pen& pen, bool closed = false);
   void text(double x, double y, const std::string& text, const TextStyle& style = {});
 
-  /// What follows is drawn inside this rectangle only, until end_clip().
+  /// Later marks are drawn inside this rectangle only, until end_clip().
   void begin_clip(double x, double y, double width, double height);
   void end_clip();
 
@@ -132,7 +132,7 @@ struct Bar {
   Pen pen;
 };
 
-/// What lasts from one value of x to another, over the whole height, with its name at the top.
+/// Span from one value of x to another, over the whole height, with its name at the top.
 struct Span {
   Range x;
   std::string label, fill;
@@ -181,7 +181,7 @@ class Scaling {
   double x(double value) const { return frame_.x + (value - x_.low) / x_.span() * frame_.width; }
   double y(double value) const { return frame_.y + (y_.high - value) / y_.span() * frame_.height; }
 
-  /// Of the same axes for values in SI, where those of the axes are in a unit.
+  /// Mapping of the same axes for values in SI, where those of the axes are in a unit.
   Scaling of_si(double unit_in_si) const {
     return {frame_,
             {x_.low * unit_in_si, x_.high * unit_in_si},

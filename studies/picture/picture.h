@@ -5,7 +5,7 @@
 
 namespace gurney::picture {
 
-/// What a figure can be written as.
+/// File format of a figure.
 enum class Format { kSvg, kPdf, kPng };
 
 /// The format that a file's suffix names.

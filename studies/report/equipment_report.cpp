@@ -85,7 +85,7 @@ Section stability(const EquipmentFacts& facts) {
   return all.say("0 deg is forward (x), 90 deg to the left (y)");
 }
 
-/// What stands on the floor without casters.
+/// Feet of an item without casters.
 Section feet(const EquipmentFacts& facts) {
   const ContactConstants& floor = facts.floor;
   const bool compliant = floor.kind == ContactConstants::Kind::kCompliant;

@@ -34,7 +34,7 @@ std::string curve_name(const study::FragilityResult& result) {
   return (result.configuration.empty() ? "" : result.configuration + ", ") + result.state;
 }
 
-/// What the limit states say, each once; one without a name of its own has said it already.
+/// Definitions of the limit states, each once; one without a name of its own has said it already.
 findings::Texts definitions(const std::vector<study::FragilityResult>& results) {
   findings::Texts lines;
   std::vector<std::string> listed;
@@ -71,7 +71,7 @@ std::string status_text(const study::FragilityResult& result) {
   return result.cloud ? text(result.cloud->status) : "no demand above a limit";
 }
 
-/// Of ln theta and ln beta.
+/// Covariance of ln theta and ln beta.
 Eigen::Matrix2d covariance_of(const study::FragilityResult& result) {
   if (result.by_cloud()) return result.cloud_covariance;
   return result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
@@ -151,7 +151,7 @@ void add_fit(const study::FragilityResult& result, const study::ReportUnit& unit
            std::vector<Numbers>{{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}});
 }
 
-/// What programs read of a curve.
+/// Facts of a curve for programs.
 Section json_of(const study::FragilityResult& result, const study::UnitSystem& units) {
   const study::ReportUnit unit = units.of(result.measure.units);
   const double in_si = unit.in_si;
@@ -266,7 +266,7 @@ std::vector<findings::Cell> row_of(const study::VectorResult& result, const Unit
           beta_of(result.alone[1])};
 }
 
-/// What a row means, where there is a fit.
+/// Meaning of a row, where there is a fit.
 std::string meaning(const study::VectorResult& result) {
   const statistics::VectorFit& fit = result.fit;
   if (!is_fitted(fit)) return "";

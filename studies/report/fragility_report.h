@@ -22,7 +22,7 @@ std::vector<findings::Table> worst_level_tables(const study::StudyData& data,
 findings::Section fragility_findings(const study::StudyData& data,
                                      const std::vector<study::FragilityResult>& results);
 
-/// What a reader should know before using a row, with its cautions.
+/// Notes for a reader before using a row, with its cautions.
 std::vector<std::string> fragility_notes(const study::FragilityResult& result,
                                          const study::ReportUnit& unit);
 

@@ -8,7 +8,7 @@
 
 namespace gurney::report {
 
-/// What `gurney measures` reports of one limit state of one configuration.
+/// Report of `gurney measures` on one limit state of one configuration.
 struct MeasureReport {
   std::string configuration;
   std::string state, words;  ///< name and meaning of the limit state

@@ -124,7 +124,7 @@ void add_measures(Section& to, const groundmotions::Record& record,
 
 constexpr std::size_t kHashDigits = 8;
 
-/// What the components have, each once, in their order.
+/// Texts of the components, each once, in their order.
 template <class Text>
 std::vector<std::string> distinct(const groundmotions::Record& record, Text text) {
   std::vector<std::string> all;
@@ -136,7 +136,7 @@ std::vector<std::string> distinct(const groundmotions::Record& record, Text text
 
 std::string cell(double value) { return fmt::format("{:.3g}", value); }
 
-/// Of both horizontals by `combination`, or of the only component that there is.
+/// Measure of both horizontals by `combination`, or of the only component that there is.
 double of_horizontals(const groundmotions::Measure& measure, groundmotions::Combination combination,
                       const groundmotions::Record& record) {
   if (record[groundmotions::Direction::kH1] && record[groundmotions::Direction::kH2])

@@ -19,7 +19,7 @@ findings::Section record_report(
     const groundmotions::Record& record, const std::vector<RecordFact>& facts,
     const std::vector<groundmotions::Measure>& measures = groundmotions::common_measures());
 
-/// What looks wrong: warnings of reading, of amplitudes, of what is left at the end.
+/// Doubts about a record: warnings of reading, of amplitudes, of what is left at the end.
 std::vector<std::string> record_findings(const groundmotions::Record& record);
 
 /// One line for each record, and the lines above them; docs/records.md explains the columns.

@@ -96,7 +96,7 @@ Section case_section(const verification::CaseRun& run) {
   return std::move(of.add(std::move(stock)).json("seconds", run.seconds));
 }
 
-// What follows from them.
+// Conclusions.
 
 bool passed(const Section& of) { return text_of(of, "passed") == "yes"; }
 

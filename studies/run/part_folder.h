@@ -102,7 +102,7 @@ std::string file_bytes(const std::filesystem::path& path);
 /// The finished tasks of a study that is not complete: a folder beside its results file.
 ///
 /// A part file (part_file.h) is written under another name, synced and renamed, so that a killed
-/// process loses only tasks it had not reported. The file `study` (identity_file.h) states whose
+/// process loses only tasks it had not reported. The file `study` (study_identity.h) states whose
 /// parts these are; each part does as well, so that a damaged one can be written again. One process
 /// works in the folder at a time (FolderLock).
 class PartFolder {

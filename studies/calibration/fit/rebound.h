@@ -6,7 +6,7 @@
 
 namespace gurney::calibration {
 
-/// Of one impact.
+/// Rebound of one impact.
 struct Rebound {
   double approach = 0, leaving = 0;  ///< speeds at the impact, > 0 [m/s]
   double slowing = 0;                ///< deceleration before [m/s2]

@@ -11,7 +11,7 @@ namespace gurney::calibration {
 /// A pull repeated with the engine under the force that was measured.
 class TrialModel {
  public:
-  /// What is not known of a trial.
+  /// Unknowns of a trial.
   struct Unknowns {
     double resistance = 0;   ///< Cr / R
     double patch_width = 0;  ///< [m]

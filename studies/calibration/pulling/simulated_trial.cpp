@@ -167,7 +167,7 @@ void add_signals(const HistoryColumns& all, std::size_t first, std::size_t last,
     if (all.kinetic.empty()) continue;
     result.kinetic.push_back(all.kinetic[row]);
     result.rolling_loss.push_back(all.rolling[row]);
-    // What the weight loses goes into the item, but for the dampers of blocks and cable.
+    // Energy lost by the weight goes into the item, but for the dampers of blocks and cable.
     result.work.push_back(all.forces[row] - (all.weights[row] - all.weights[first]) -
                           all.dampers[row]);
   }

@@ -89,7 +89,7 @@ struct SimulatedTrial {
 };
 
 /// The trials of a results file with histories.
-/// @param noise  seed of synthetic noise of the instruments (instrument_noise.h): the velocity is
+/// @param noise  seed of synthetic noise of the instruments (trial.h): the velocity is
 ///               then that of the noisy displacement; none: signals as simulated
 /// @throws Error where the file keeps none, or its job is no pulling test
 std::vector<SimulatedTrial> simulated_trials(const study::StudyReader& file,

@@ -12,7 +12,7 @@
 
 namespace gurney::calibration {
 
-/// What is known of a trial by key, from `# key = value` lines and, in a table of averages, from
+/// Facts of a trial by key, from `# key = value` lines and, in a table of averages, from
 /// the cells of its row. Errors are noted; the results are for use only without any.
 class Facts {
  public:
@@ -51,7 +51,7 @@ class Facts {
 /// The number that a cell is, or nothing. Decimal point, no infinities.
 std::optional<double> number_in(const std::string& text);
 
-/// What is wrong with a cell that is no number.
+/// Message for a cell that is no number.
 std::string not_a_number(const std::string& key, const std::string& text);
 
 /// Names of files, in the order of their enumerators.

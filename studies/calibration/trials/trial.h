@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What a test of a wheeled item in a laboratory is (docs/formats/trial_file.md). SI units.
+/// Laboratory test of a wheeled item (docs/formats/trial_file.md). SI units.
 
 /// Synthetic noise of the instruments of a pulling test, for simulated signals.
 
@@ -23,7 +23,7 @@ enum class LockedWheels { kAll, kFront, kRear };
 enum class TrialUse { kCalibration, kValidation };
 enum class TrialOrigin { kMeasured, kSimulated };
 
-/// What was pulled, and over what.
+/// Pulled item and floor.
 struct TrialSetup {
   TrialUse use = TrialUse::kCalibration;
   TrialOrigin origin = TrialOrigin::kMeasured;
@@ -44,7 +44,7 @@ struct TrialSetup {
   int payload_count = 0;
   std::vector<double> pull_point;  ///< x, y, z in item axes; empty: not stated [m]
   LockedWheels locked = LockedWheels::kAll;
-  // Of pulls with one axle locked:
+  // Only for pulls with one axle locked:
   double pull_height = 0;    ///< h of the cable above the floor, >= 0 [m]
   double wheelbase = 0;      ///< L between the axles, > 0 [m]
   double front_share = 0.5;  ///< of the weight, on the front axle at rest, (0, 1)

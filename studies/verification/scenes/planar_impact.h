@@ -44,7 +44,7 @@ struct PlanarImpact {
                double stiffness, double damping_number, Contact contact = Contact::kFollows);
 };
 
-/// What a yaw moves of the points of a face; by default nothing.
+/// Displacement by a yaw of the points of a face; by default nothing.
 struct TurningFace {
   double ahead = 0;           ///< half the length, times the speed over 1 m/s [m]
   std::vector<bool> of_wall;  ///< as the points; empty: none
