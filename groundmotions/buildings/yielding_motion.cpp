@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "groundmotions/buildings/isolation.h"
 #include "groundmotions/buildings/modal_building.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"

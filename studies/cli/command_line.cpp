@@ -13,14 +13,12 @@
 #include <sstream>
 
 #include "engine/base/error.h"
-#include "engine/base/printable.h"
 #include "engine/config/nearest_name.h"
 #include "studies/build_info/build_info.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/help.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/process.h"
-#include "studies/cli/run_command.h"
 #include "studies/cli/shared_options.h"
 #include "studies/render/wrapped.h"
 

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include "engine/base/error.h"
 #include "studies/cli/commands.h"

@@ -23,7 +23,6 @@
 #include "studies/figures/trajectory_figure.h"
 #include "studies/limit_states/limit_state_reader.h"
 #include "studies/page/job_scene.h"
-#include "studies/report/fragility_report.h"
 
 namespace gurney::cli {
 namespace {

@@ -1,7 +1,6 @@
 #include "studies/explanation/events.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
-#include <sstream>
 #include <utility>
 
 #include "engine/base/diagnostics.h"

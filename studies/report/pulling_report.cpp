@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "engine/base/units.h"
 #include "studies/calibration/trials/setup_reader.h"
 #include "studies/calibration/trials/trial.h"

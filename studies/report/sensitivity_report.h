@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "studies/analysis/study_sensitivity.h"
 #include "studies/findings/findings.h"

@@ -1,6 +1,5 @@
 #include "studies/calibration/fit/rolling.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>

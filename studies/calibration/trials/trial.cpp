@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "engine/base/random/normal_draw.h"
 
 namespace gurney::calibration {

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/scenes.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/wind_up.h"
