@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/config/table.h"
 #include "groundmotions/buildings/isolation.h"
 #include "groundmotions/buildings/modal_building.h"
 #include "groundmotions/buildings/yielding_motion.h"
@@ -11,7 +12,7 @@
 
 namespace gurney::groundmotions {
 
-/// What stands between the ground and the equipment. The axes of the building are those of the
+/// Structure between the ground and the equipment. The axes of the building are those of the
 /// record that shakes it: h1, h2, vertical. No torsion, no soil-structure interaction.
 struct Building {
   std::string name;
@@ -30,5 +31,17 @@ struct Building {
 
 /// Whether a floor turns as the building deforms.
 bool rotates(const Building& building, int floor);
+
+/// Reads the keys of a building; docs/formats/building_file.md. Errors are noted in the table's
+/// document, and the building is then a rigid one.
+/// @param name  if the table has none
+Building read_building(config::Table& table, const std::string& name = "building");
+
+/// The key `floor`: a number from 0 to building.storeys, or "roof".
+int read_floor(config::Table& table, const Building& building);
+
+/// A file of its own: `schema = "gurney-building/1"`, `name`, and the keys of a building.
+/// @throws Error with every error of the file.
+Building building_from_file(const std::string& path);
 
 }  // namespace gurney::groundmotions

@@ -10,7 +10,7 @@
 
 namespace gurney::groundmotions {
 
-/// What the isolation layer did.
+/// Response of the isolation layer.
 struct IsolatorResponse {
   Eigen::Matrix2Xd displacement;       ///< of the base relative to the ground, at the samples [m]
   double peak = 0;                     ///< largest |u| at the samples [m]
@@ -22,7 +22,7 @@ struct IsolatorResponse {
                       ///< their peaks [-]
 };
 
-/// What storeys that yield did; one number for each, from the ground up.
+/// Response of storeys that yield; one number for each, from the ground up.
 struct StoreyResponse {
   Eigen::VectorXd ductility;       ///< largest |d| / d_y at the samples [-]
   Eigen::VectorXd residual_drift;  ///< |d| at the end [m]
@@ -42,7 +42,7 @@ struct BuildingResponse {
   std::optional<double> storey_drift_ratio;
   /// The same of the drift that is left when the building rests; empty unless its storeys yield.
   std::optional<double> residual_drift_ratio;
-  /// What the building did to its floors, in a line each: amplified vertical motion, drift, ductility.
+  /// Effects of the building on its floors, in a line each: amplified vertical motion, drift, ductility.
   std::vector<std::string> findings;
 };
 

@@ -59,7 +59,7 @@ Isolation lead_rubber(double period, double strength_ratio, double yield_displac
 Isolation friction_pendulum(double radius, double slow, double fast, double rate,
                             double yield_displacement);
 
-/// What happens to z while the base moves along a straight line.
+/// Evolution of z while the base moves along a straight line.
 struct Sliding {
   Vector2 end;   ///< z at the end
   Vector2 mean;  ///< mean of z over the increment

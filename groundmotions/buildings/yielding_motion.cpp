@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "groundmotions/buildings/isolation.h"
-#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/buildings/modal_building.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"

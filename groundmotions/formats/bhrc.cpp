@@ -21,10 +21,9 @@ bool starts_channel(std::string_view line) {
   return upper(line.substr(0, 20)).starts_with("* VOL");
 }
 
-class BhrcReader {
+class BhrcReader : public LayoutReader {
  public:
-  BhrcReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
+  using LayoutReader::LayoutReader;
 
   /// @param line  index from 0 of the channel's first line, of the line behind it afterwards
   Component read(std::size_t& line) {
@@ -48,7 +47,7 @@ class BhrcReader {
       return component;
     }
     const auto unit = agreed_unit(unit_line ? unit_in(text_[*unit_line]) : std::nullopt,
-                                  first_ + unit_line.value_or(0) + 1, options_, errors_);
+                                  first_ + unit_line.value_or(0) + 1);
     const auto values =
         fields_.read(line, static_cast<std::size_t>(*count), format, EmptyField::kError, "samples");
     component.unit = unit.name;
@@ -85,7 +84,7 @@ class BhrcReader {
       else
         step = 1 / *rate;
     }
-    component.time_step = agreed_time_step(step, first_ + points + 1, options_, errors_);
+    component.time_step = agreed_time_step(step, first_ + points + 1);
   }
 
   /// "COMP L1" names the component, "Azimuth L 50    T 140" its direction.
@@ -108,10 +107,6 @@ class BhrcReader {
         component.header.emplace_back(name, trimmed(file_.lines()[first_ + *at]));
   }
 
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
-  FieldReader fields_;
   std::size_t first_ = 0;
   std::vector<std::string> text_;
 };

@@ -258,10 +258,9 @@ constexpr double kPeakShare = 1e-4;         ///< of large peaks with fewer digit
 
 using Quantity = CaltechSeries::Quantity;
 
-class CaltechComponents {
+class CaltechComponents : public LayoutReader {
  public:
-  CaltechComponents(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors) {}
+  using LayoutReader::LayoutReader;
 
   Component component_of(const CaltechChannel& channel) {
     Component component;
@@ -278,8 +277,7 @@ class CaltechComponents {
     take_samples(channel, *series, component);
     if (errors_.any()) return component;
     component.acceleration *= unit.to_si;
-    check_length(channel.reals[channel.corrected() ? 59 : 2], channel.first_line + 1, component,
-                 errors_);
+    check_length(channel.reals[channel.corrected() ? 59 : 2], channel.first_line + 1, component);
     check_step(channel, component);
     check_peak_of(channel, *series, unit.to_si, component);
     if (!channel.trailing.empty())
@@ -298,7 +296,7 @@ class CaltechComponents {
 
   AccelerationUnit unit_of(const CaltechChannel& channel, const CaltechSeries& series,
                            Component& component) {
-    if (series.unit) return agreed_unit(series.unit, series.line + 1, options_, errors_);
+    if (series.unit) return agreed_unit(series.unit, series.line + 1);
     const auto at = channel.find(channel.corrected() ? "PEAK ACCELERATION" : "UNITS");
     const auto stated = at ? unit_in(channel.text[*at]) : std::nullopt;
     const double fraction = channel.reals[4];  // of g, in volume 1; some files state 1 for g/10
@@ -308,7 +306,7 @@ class CaltechComponents {
           fmt::format("the text states the unit {}, which was taken, but real number 5 of the "
                       "header {} g",
                       stated->name, fraction));
-    return agreed_unit(stated, line_of(channel, at), options_, errors_);
+    return agreed_unit(stated, line_of(channel, at));
   }
 
   void take_samples(const CaltechChannel& channel, const CaltechSeries& series,
@@ -319,7 +317,7 @@ class CaltechComponents {
     if (series.times.empty()) {
       auto step = series.time_step;
       if (!step && channel.corrected() && channel.reals[60] > 0) step = channel.reals[60];
-      component.time_step = agreed_time_step(step, series.line + 1, options_, errors_);
+      component.time_step = agreed_time_step(step, series.line + 1);
       return;
     }
     if (series.times.size() < 2) return;
@@ -327,7 +325,7 @@ class CaltechComponents {
       const double mean = (series.times.back() - series.times.front()) /
                           static_cast<double>(series.times.size() - 1);
       const double step = std::round(mean / kGrid) * kGrid;
-      component.time_step = agreed_time_step(step, series.line + 1, options_, errors_);
+      component.time_step = agreed_time_step(step, series.line + 1);
       return;
     }
     component.time_step = options_.time_step.value_or(kEvenTimeStep);
@@ -358,8 +356,8 @@ class CaltechComponents {
     const double size = std::abs(*peak) * (corrected ? 0.01 : kStandardGravity);
     const double rounding = corrected ? kPeakOfVolume2 : kPeakOfVolume1 * kStandardGravity;
     const Eigen::VectorXd samples = scaled(series.values, to_si);
-    check_peak({size, std::max(rounding, kPeakShare * size), line_of(channel, at)}, samples,
-               component, errors_);
+    groundmotions::check_peak({size, std::max(rounding, kPeakShare * size), line_of(channel, at)},
+                              samples, component, errors_);
     const double raw = samples.cwiseAbs().maxCoeff();
     const double centred = (samples.array() - samples.mean()).abs().maxCoeff();
     const double difference = std::min(std::abs(raw - size), std::abs(centred - size));
@@ -470,10 +468,6 @@ class CaltechComponents {
                                   static_cast<int>(parts[1]), parts[3], parts[4], parts[5]);
     return time ? std::optional(*time + 3600 * offset) : std::nullopt;
   }
-
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
 };
 
 /// The acceleration of every channel of a volume 1 or 2 (caltech_volume.h), with what its header

@@ -309,10 +309,9 @@ std::string quantity_of(const CosmosChannel& channel, const CosmosSeries& series
   return "something its header does not name";
 }
 
-class CosmosComponents {
+class CosmosComponents : public LayoutReader {
  public:
-  CosmosComponents(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors) {}
+  using LayoutReader::LayoutReader;
 
   Component component_of(const CosmosChannel& channel, const CosmosSeries& series) {
     line_ = series.line + 1;
@@ -322,10 +321,10 @@ class CosmosComponents {
     component.acceleration = scaled(series.values, to_si);
     check_holes(channel, series);
     if (errors_.any()) return component;
-    check_length(channel.real(63).value_or(0), line_, component, errors_);
+    check_length(channel.real(63).value_or(0), line_, component);
     if (const auto peak = channel.real(64); peak && *peak != 0) {
       const double size = std::abs(*peak) * to_si;
-      check_peak({size, kPeakRounding * size, line_}, component.acceleration, component, errors_);
+      check_peak({size, kPeakRounding * size, line_}, component);
     }
     orient(channel, component);
     state_facts(channel, component);
@@ -350,7 +349,7 @@ class CosmosComponents {
                               "10 gal, 11 mg, 12 micro g, 50 counts)",
                               code));
     else
-      unit = agreed_unit(unit, line_, options_, errors_);
+      unit = agreed_unit(unit, line_);
     component.unit = unit ? unit->name : "";
     return unit ? unit->to_si : 0;
   }
@@ -416,7 +415,7 @@ class CosmosComponents {
           fmt::format("the header states two time steps: {} s (real number 62, of these samples; "
                       "taken) and {} s (34, of the raw samples)",
                       *step, *raw));
-    return agreed_time_step(step, line_, options_, errors_);
+    return agreed_time_step(step, line_);
   }
 
   /// Samples that are the value for "unknown" are holes, unless the motion passes through it.
@@ -519,9 +518,6 @@ class CosmosComponents {
       component.start_time = utc_seconds(part(40), part(42), part(43), part(44), part(45), *second);
   }
 
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
   std::size_t line_ = 1;
 };
 

@@ -17,19 +17,18 @@ namespace {
 
 constexpr double kTimeRounding = 0.00051;  ///< times have three decimals [s]
 
-class CwbReader {
+class CwbReader : public LayoutReader {
  public:
-  CwbReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors) {}
+  using LayoutReader::LayoutReader;
 
   std::vector<Component> read() {
     std::size_t line = 0;
     const auto rate = value("#SampleRate", line);
     const auto per_second = number(rate);
-    time_step_ = agreed_time_step(per_second ? std::optional(1 / *per_second) : std::nullopt,
-                                  line + 1, options_, errors_);
+    time_step_ =
+        agreed_time_step(per_second ? std::optional(1 / *per_second) : std::nullopt, line + 1);
     const auto unit_text = value("#AmplitudeUnit", line);
-    const AccelerationUnit unit = agreed_unit(unit_in(unit_text), line + 1, options_, errors_);
+    const AccelerationUnit unit = agreed_unit(unit_in(unit_text), line + 1);
     const auto length = number(value("#RecordLength", length_line_)).value_or(0);
     read_sequence();
     const auto text = value("#Data:", line);
@@ -55,10 +54,6 @@ class CwbReader {
     char letter;  ///< 'U', 'N' or 'E'
     bool is_negative;
   };
-
-  std::string_view value(std::string_view key, std::size_t& line) {
-    return needed_behind(file_.lines(), key, line, errors_);
-  }
 
   static bool is_header(std::string_view line) {
     return trimmed(line).empty() || trimmed(line).starts_with('#');
@@ -146,18 +141,17 @@ class CwbReader {
     if (largest && smallest)
       check_peak({std::max(std::abs(*largest), std::abs(*smallest)) * unit.to_si,
                   rounding * unit.to_si, line + 1},
-                 component.acceleration, component, errors_);
+                 component);
   }
 
   void describe(Component& component) {
-    const std::pair<const char*, const char*> facts[] = {
-        {"station", "#StationName"}, {"station code", "#StationCode"},
-        {"event", "#Origin Time"},   {"magnitude", "#Magnitude"},
-        {"unit", "#AmplitudeUnit"},  {"instrument", "#InstrumentKind"}};
-    std::size_t ignored = 0;
-    for (const auto& [name, key] : facts)
-      if (const auto text = value_behind(file_.lines(), key, ignored); text && !text->empty())
-        component.header.emplace_back(name, *text);
+    state_facts({{"station", "#StationName"},
+                 {"station code", "#StationCode"},
+                 {"event", "#Origin Time"},
+                 {"magnitude", "#Magnitude"},
+                 {"unit", "#AmplitudeUnit"},
+                 {"instrument", "#InstrumentKind"}},
+                component);
     component.start_time = start_time();
   }
 
@@ -172,9 +166,6 @@ class CwbReader {
     return *local - 3600 * *zone;
   }
 
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
   double time_step_ = 0;
   std::size_t length_line_ = 0;
   std::vector<Name> names_;

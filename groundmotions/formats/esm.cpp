@@ -3,18 +3,75 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "groundmotions/formats/calendar.h"
-#include "groundmotions/formats/colon_header.h"
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
 #include "groundmotions/formats/readers.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/words.h"
 
 namespace gurney::groundmotions {
-
 namespace {
+
+/// The lines `key: value` at the top of a file.
+class ColonHeader {
+ public:
+  struct Entry {
+    std::string_view key;
+    std::string_view value;  ///< may be empty
+    std::size_t line;        ///< from 1
+  };
+
+  /// Reads up to the first line without a colon.
+  explicit ColonHeader(const SourceFile& file) {
+    for (const std::string_view line : file.lines()) {
+      const auto colon = line.find(':');
+      if (colon == kNone) break;
+      entries_.push_back(
+          {trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)), entries_.size() + 1});
+    }
+  }
+
+  /// How many lines it has.
+  std::size_t lines() const { return entries_.size(); }
+
+  /// The entry `key`, or null.
+  const Entry* find(std::string_view key) const {
+    const auto at = std::ranges::find(entries_, key, &Entry::key);
+    return at == entries_.end() ? nullptr : &*at;
+  }
+
+  /// The first entry whose key starts with `start`, or null.
+  const Entry* find_start(std::string_view start) const {
+    const auto at =
+        std::ranges::find_if(entries_, [&](const Entry& e) { return e.key.starts_with(start); });
+    return at == entries_.end() ? nullptr : &*at;
+  }
+
+  /// The value of `key`, empty if there is none.
+  std::string_view value(std::string_view key) const {
+    const Entry* entry = find(key);
+    return entry ? entry->value : std::string_view();
+  }
+
+  /// The number of `key`; an error and 0 if it is no number or not there.
+  double number_of(std::string_view key, FileErrors& errors) const {
+    const Entry* entry = find(key);
+    const auto value = entry ? number(entry->value) : std::nullopt;
+    if (!entry)
+      errors.add(fmt::format("the header has no line '{}'", key));
+    else if (!value)
+      errors.add(entry->line, 1, fmt::format("{} must be a number, got '{}'", key, entry->value));
+    return value.value_or(0);
+  }
+
+ private:
+  std::vector<Entry> entries_;
+};
 
 bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
@@ -145,6 +202,24 @@ void warn_of_state(const ColonHeader& header, Component& component) {
         "the sensor is {} m below the ground: this is not a motion of the surface", *depth));
 }
 
+constexpr std::string_view kStep = "Time Increment (s)";
+constexpr std::string_view kCount = "Number of Data";
+constexpr std::string_view kSeries = "time series in ";
+
+void check_published_peak(const ColonHeader& header, Component& component, FileErrors& errors) {
+  const auto* peak = header.find_start("PGA");
+  if (!peak) return;
+  const auto unit = acceleration_unit(in_brackets(peak->key));
+  if (!unit) {
+    errors.add(peak->line, 1,
+               fmt::format("'{}' is not a unit of acceleration: {} are allowed",
+                           in_brackets(peak->key), kAccelerationUnits));
+    return;
+  }
+  component.header.emplace_back("published peak", fmt::format("{} {}", peak->value, unit->name));
+  check_peak(peak->value, *unit, peak->line, component, errors);
+}
+
 }  // namespace
 
 bool recognises_esm(const SourceFile& file) {
@@ -184,6 +259,62 @@ std::vector<Component> read_esm(const SourceFile& file, const ReadOptions& optio
   set_start(header, component);
   check_against_header(header, component, errors);
   warn_of_state(header, component);
+  errors.throw_if_any();
+  return {component};
+}
+
+bool recognises_simbad(const SourceFile& file) {
+  const ColonHeader header(file);
+  return header.find(kStep) && header.find(kCount);
+}
+
+/// @throws Error for velocities and displacements, missing or wrong header lines, a count that does
+///         not match, and a peak far from that of the header.
+std::vector<Component> read_simbad(const SourceFile& file, const ReadOptions& options) {
+  FileErrors errors(file);
+  const ColonHeader header(file);
+  const std::size_t title = header.lines();
+  const auto line = title < file.lines().size() ? file.lines()[title] : std::string_view();
+  const auto series = line.find(kSeries);
+  if (series == std::string_view::npos) {
+    errors.add(title + 1, 1,
+               "the header must end in a line such as 'Acceleration time series in m/s/s'");
+    errors.throw_if_any();
+  }
+  const auto unit_text = trimmed(line.substr(series + kSeries.size()));
+  if (const auto quantity = other_quantity(unit_text)) {
+    errors.add(title + 1, 1,
+               fmt::format("a record must be acceleration, but this is a {} file ('{}'); take "
+                           "the .cor.acc file of this component",
+                           *quantity, trimmed(line)));
+    errors.throw_if_any();
+  }
+
+  Component component;
+  const AccelerationUnit unit = checked_unit(unit_text, title + 1, options, errors);
+  component.unit = unit.name;
+  component.time_step = checked_time_step(header.number_of(kStep, errors), kStep,
+                                          header.find(kStep)->line, options, errors);
+  const double count = header.number_of(kCount, errors);
+  NumberReader reader(file, errors);
+  read_to_end(file, title + 1, reader);
+  if (!errors.any())
+    check_count(count, kCount, header.find(kCount)->line, reader.values().size(), errors);
+  errors.throw_if_any();
+
+  component.acceleration = scaled(reader.values(), unit.to_si);
+  component.name = header.value("Orientation");
+  orient(component.name, component);
+  const std::pair<const char*, const char*> facts[] = {
+      {"event time", "Event Date & Time"},
+      {"station", "Station Code / Name"},
+      {"network", "Network"},
+      {"processing", "Processing Info"},
+      {"filter corners [Hz]", "Filter Cut-off Frequency (Hz)"}};
+  for (const auto& [name, key] : facts)
+    if (const auto value = header.value(key); !value.empty())
+      component.header.emplace_back(name, value);
+  check_published_peak(header, component, errors);
   errors.throw_if_any();
   return {component};
 }

@@ -12,7 +12,7 @@
 #include "groundmotions/formats/plain_rows.h"
 #include "groundmotions/formats/readers.h"
 #include "groundmotions/record/acceleration_unit.h"
-#include "groundmotions/record/time_step_range.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney::groundmotions {
 
@@ -229,9 +229,9 @@ std::optional<std::string> foreign_file(std::string_view bytes) {
     return "an Excel or Word file, not a record" + std::string(kConvert);
   for (const Mark& mark : kMarks)
     if (bytes.starts_with(mark.start)) {
-      const bool is_told =
+      const bool says_how =
           mark.what.find(';') != mark.what.npos || mark.what.find(':') != bytes.npos;
-      return std::string(mark.what) + std::string(is_told ? "" : kConvert);
+      return std::string(mark.what) + std::string(says_how ? "" : kConvert);
     }
   if (bytes.starts_with("<?xml")) return xml_kind(bytes);
   if (is_miniseed(bytes))

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "groundmotions/formats/calendar.h"
 #include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/numbers.h"
@@ -21,10 +20,9 @@ constexpr std::size_t kCountLine = 9, kUnitLine = 10, kFilterLine = 11, kNameLin
                       kPeakLine = 13;  // of the text, from 0
 constexpr double kLargestCount = 1e8;
 
-class GeonetReader {
+class GeonetReader : public LayoutReader {
  public:
-  GeonetReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
+  using LayoutReader::LayoutReader;
 
   std::vector<Component> read() {
     std::vector<Component> components;
@@ -97,16 +95,15 @@ class GeonetReader {
                   fmt::format("the time step is {} s here, but {} s in the real numbers of the "
                               "header",
                               *at, stated));
-    return agreed_time_step(stated, start_ + kTextLines + 7, options_, errors_);
+    return agreed_time_step(stated, start_ + kTextLines + 7);
   }
 
   /// Unit line of V1A ("in units of 1.00 mm/s/s") or peak line of V2A.
   AccelerationUnit unit() {
     const std::string line = upper(text(kUnitLine));
     const auto factor = number_after(line, "UNITS OF");
-    if (!factor)
-      return agreed_unit(unit_in(text(kPeakLine)), start_ + kPeakLine + 1, options_, errors_);
-    AccelerationUnit unit = agreed_unit(unit_in(line), start_ + kUnitLine + 1, options_, errors_);
+    if (!factor) return agreed_unit(unit_in(text(kPeakLine)), start_ + kPeakLine + 1);
+    AccelerationUnit unit = agreed_unit(unit_in(line), start_ + kUnitLine + 1);
     if (!(*factor > 0))
       errors_.add(start_ + kUnitLine + 1, 1, fmt::format("a unit of {} mm/s/s", *factor));
     unit.to_si *= *factor;
@@ -133,9 +130,9 @@ class GeonetReader {
       const double rounding = std::abs(*peak) < 9999 ? 0.11 : 1.01;
       check_peak(
           {std::abs(*peak) * in_file.to_si, rounding * in_file.to_si, start_ + kPeakLine + 1},
-          component.acceleration, component, errors_);
+          component);
     }
-    check_length(reals_[23], start_ + kTextLines + 7, component, errors_);
+    check_length(reals_[23], start_ + kTextLines + 7, component);
   }
 
   void describe(Component& component) {
@@ -170,10 +167,6 @@ class GeonetReader {
     return *buffer - before;
   }
 
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
-  FieldReader fields_;
   std::size_t line_ = 0;   ///< that comes next, from 0
   std::size_t start_ = 0;  ///< first line of the component
   std::vector<double> integers_, reals_;

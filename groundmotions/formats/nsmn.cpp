@@ -17,18 +17,17 @@ namespace {
 
 constexpr std::size_t kHeaderLines = 40;  ///< at most; real files have 18
 
-class NsmnReader {
+class NsmnReader : public LayoutReader {
  public:
-  NsmnReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors) {}
+  using LayoutReader::LayoutReader;
 
   std::vector<Component> read() {
     std::size_t line = 0;
     const auto step = number(value("SAMPLING INTERVAL", line));
-    const double time_step = agreed_time_step(step, line + 1, options_, errors_);
+    const double time_step = agreed_time_step(step, line + 1);
     value("RAW PGA VALUES", peak_line_);
     const std::string peaks(peak_line_ > 0 ? file_.lines()[peak_line_] : "");
-    const AccelerationUnit unit = agreed_unit(unit_in(peaks), peak_line_ + 1, options_, errors_);
+    const AccelerationUnit unit = agreed_unit(unit_in(peaks), peak_line_ + 1);
     const auto count = number(value("NUMBER OF DATA", line));
     find_columns();
     errors_.throw_if_any();
@@ -47,10 +46,6 @@ class NsmnReader {
   }
 
  private:
-  std::string_view value(std::string_view key, std::size_t& line) {
-    return needed_behind(file_.lines(), key, line, errors_);
-  }
-
   void find_columns() {
     for (std::size_t i = 1; i < std::min(kHeaderLines, file_.lines().size()); ++i) {
       const auto words = words_of(file_.lines()[i], " \t");
@@ -91,23 +86,20 @@ class NsmnReader {
         samples_.data(), static_cast<Eigen::Index>(samples_.size()) / columns, columns);
     component.acceleration = unit.to_si * table.col(static_cast<Eigen::Index>(i));
     if (const auto peak = number_after(peaks, "(" + names_[i] + ")"))
-      check_peak({std::abs(*peak) * unit.to_si, 2e-6 * unit.to_si, peak_line_ + 1},
-                 component.acceleration, component, errors_);
+      check_peak({std::abs(*peak) * unit.to_si, 2e-6 * unit.to_si, peak_line_ + 1}, component);
     orient(names_[i], component);
     describe(component);
     return component;
   }
 
   void describe(Component& component) {
-    const std::pair<const char*, const char*> facts[] = {{"station", "PLACE"},
-                                                         {"station code", "STATION ID"},
-                                                         {"event", "EARTHQUAKE DATE"},
-                                                         {"magnitude", "EARTHQUAKE MAGNITUDE"},
-                                                         {"instrument", "RECORDER TYPE"}};
+    state_facts({{"station", "PLACE"},
+                 {"station code", "STATION ID"},
+                 {"event", "EARTHQUAKE DATE"},
+                 {"magnitude", "EARTHQUAKE MAGNITUDE"},
+                 {"instrument", "RECORDER TYPE"}},
+                component);
     std::size_t ignored = 0;
-    for (const auto& [name, key] : facts)
-      if (const auto text = value_behind(file_.lines(), key, ignored); text && !text->empty())
-        component.header.emplace_back(name, std::string(*text));
     // Day first: 20/07/2017 22:31:14.000000 (GMT)
     std::string time(value_behind(file_.lines(), "RECORD TIME", ignored).value_or(""));
     time = time.substr(0, time.find(" (GMT)"));
@@ -116,9 +108,6 @@ class NsmnReader {
           "{}/{}/{}{}", time.substr(6, 4), time.substr(3, 2), time.substr(0, 2), time.substr(10)));
   }
 
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
   std::size_t peak_line_ = 0, first_row_ = 0;  ///< from 0
   std::vector<std::string> names_;
   std::vector<double> samples_;  ///< row by row

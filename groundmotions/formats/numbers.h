@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

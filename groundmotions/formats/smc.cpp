@@ -35,10 +35,9 @@ const char* structure_name(double code) {
   return code >= 1 && code <= 3 ? kNames[static_cast<std::size_t>(code) - 1] : "a structure";
 }
 
-class SmcReader {
+class SmcReader : public LayoutReader {
  public:
-  SmcReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
+  using LayoutReader::LayoutReader;
 
   Component read() {
     Component component;
@@ -83,9 +82,7 @@ class SmcReader {
     errors_.throw_if_any();
   }
 
-  void check_options() {
-    agreed_unit(AccelerationUnit{"cm/s2", kCentimetre}, 1, options_, errors_);
-  }
+  void check_options() { agreed_unit(AccelerationUnit{"cm/s2", kCentimetre}, 1); }
 
   void read_header() {
     std::size_t line = kTextLines;
@@ -134,7 +131,7 @@ class SmcReader {
 
   void take_samples(const std::vector<double>& values, Component& component) {
     const double rate = reals_[1];
-    component.time_step = agreed_time_step(1 / rate, kRealLine + 1, options_, errors_);
+    component.time_step = agreed_time_step(1 / rate, kRealLine + 1);
     component.acceleration = scaled(values, kCentimetre);
     check_stated_peak(component.acceleration, component);
     check_times_of_peaks(component);
@@ -190,7 +187,7 @@ class SmcReader {
     if (!has_real(29) || !has_real(31)) return;
     const double peak = std::max(std::abs(reals_[29]), std::abs(reals_[31])) * kCentimetre;
     // Samples have five digits.
-    check_peak({peak, 1e-4 * peak, kRealLine + 6}, samples, component, errors_);
+    groundmotions::check_peak({peak, 1e-4 * peak, kRealLine + 6}, samples, component, errors_);
   }
 
   /// Integer 13 counts degrees from up, integer 14 clockwise from north.
@@ -276,10 +273,6 @@ class SmcReader {
     return place;
   }
 
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
-  FieldReader fields_;
   std::vector<double> integers_, reals_;
   std::size_t first_line_ = 0;  ///< of the samples, from 0
 };

@@ -144,4 +144,12 @@ void check_peak(const StatedPeak& peak, const Eigen::VectorXd& a, Component& com
       peak.line, component, errors);
 }
 
+void LayoutReader::state_facts(std::initializer_list<std::pair<const char*, const char*>> facts,
+                               Component& component) const {
+  std::size_t ignored = 0;
+  for (const auto& [name, key] : facts)
+    if (const auto text = value_behind(file_.lines(), key, ignored); text && !text->empty())
+      component.header.emplace_back(name, *text);
+}
+
 }  // namespace gurney::groundmotions

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "groundmotions/formats/format.h"
+#include "groundmotions/formats/fortran_fields.h"
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/record/acceleration_unit.h"
-#include "groundmotions/record/time_step_range.h"
+#include "groundmotions/record/record.h"
 
 /// Statements of a file on itself, checked against the user's options and against its samples. Lines
 /// are counted from 1.
@@ -64,5 +67,43 @@ struct StatedPeak {
 /// @param samples  as the file has them [m/s2]
 void check_peak(const StatedPeak& peak, const Eigen::VectorXd& samples, Component& component,
                 FileErrors& errors);
+
+/// Base of the readers of layouts with a header and samples: what all have at hand, and the checks of
+/// their statements.
+class LayoutReader {
+ public:
+  LayoutReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
+      : file_(file), options_(options), errors_(errors), fields_(file, errors) {}
+
+ protected:
+  AccelerationUnit agreed_unit(const std::optional<AccelerationUnit>& stated,
+                               std::size_t line) const {
+    return groundmotions::agreed_unit(stated, line, options_, errors_);
+  }
+  double agreed_time_step(const std::optional<double>& stated, std::size_t line) const {
+    return groundmotions::agreed_time_step(stated, line, options_, errors_);
+  }
+  void check_length(double length, std::size_t line, Component& component) const {
+    groundmotions::check_length(length, line, component, errors_);
+  }
+  void check_peak(const StatedPeak& peak, Component& component) const {
+    groundmotions::check_peak(peak, component.acceleration, component, errors_);
+  }
+
+  /// Text behind the colon of a line that must be there.
+  std::string_view value(std::string_view key, std::size_t& line) const {
+    return needed_behind(file_.lines(), key, line, errors_);
+  }
+
+  /// Puts the texts behind keys, where there are any, into the component's header.
+  /// @param facts  name in the header, key in the file
+  void state_facts(std::initializer_list<std::pair<const char*, const char*>> facts,
+                   Component& component) const;
+
+  const SourceFile& file_;
+  const ReadOptions& options_;
+  FileErrors& errors_;
+  FieldReader fields_;
+};
 
 }  // namespace gurney::groundmotions

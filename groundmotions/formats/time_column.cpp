@@ -8,7 +8,7 @@
 
 #include "engine/base/error.h"
 #include "groundmotions/formats/numbers.h"
-#include "groundmotions/record/time_step_range.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney::groundmotions {
 

@@ -23,10 +23,9 @@ struct ChannelValues {
   std::size_t line = 0;  ///< from 0
 };
 
-class UnamReader {
+class UnamReader : public LayoutReader {
  public:
-  UnamReader(const SourceFile& file, const ReadOptions& options, FileErrors& errors)
-      : file_(file), options_(options), errors_(errors) {}
+  using LayoutReader::LayoutReader;
 
   std::vector<Component> read() {
     find_data();
@@ -51,10 +50,6 @@ class UnamReader {
   }
 
  private:
-  std::string_view value(std::string_view key, std::size_t& line) {
-    return needed_behind(file_.lines(), key, line, errors_);
-  }
-
   std::string_view optional_value(std::string_view key) const {
     std::size_t ignored = 0;
     return value_behind(file_.lines(), key, ignored).value_or("");
@@ -128,7 +123,7 @@ class UnamReader {
     const auto text = value("UNIDADES DE LOS DATOS", line);
     if (!text.empty() && !unit_in(text))
       errors_.add(line + 1, 1, fmt::format("'{}' names no unit of acceleration", text));
-    return agreed_unit(unit_in(text), line + 1, options_, errors_);
+    return agreed_unit(unit_in(text), line + 1);
   }
 
   Component component(std::size_t i, const AccelerationUnit& unit, const Eigen::VectorXd& samples) {
@@ -141,8 +136,7 @@ class UnamReader {
     const auto all = channels("ACEL. MAX");
     if (const auto peak = channel_number(all, i); peak && samples.size() > 1) {
       const double rounding = 1.1 * rounding_of(all.values[std::min(i, all.values.size() - 1)]);
-      check_peak({std::abs(*peak) * unit.to_si, rounding * unit.to_si, all.line + 1},
-                 component.acceleration, component, errors_);
+      check_peak({std::abs(*peak) * unit.to_si, rounding * unit.to_si, all.line + 1}, component);
     }
     errors_.throw_if_any();
     orient_by_label(component.name.substr(0, component.name.find(';')), component);
@@ -154,7 +148,7 @@ class UnamReader {
     const auto steps = channels("INTERVALO DE MUESTREO");
     const auto rates = channels("VEL. DE MUESTREO");
     const auto step = channel_number(steps, i), rate = channel_number(rates, i);
-    component.time_step = agreed_time_step(step, steps.line + 1, options_, errors_);
+    component.time_step = agreed_time_step(step, steps.line + 1);
     if (step && rate && !(std::abs(*step * *rate - 1) <= 0.01))
       errors_.add(steps.line + 1, 1,
                   fmt::format("a time step of {} s is not that of {} samples in a second (line "
@@ -176,18 +170,17 @@ class UnamReader {
       component.warnings.push_back(fmt::format(
           "the header states {} samples, but the file has {} rows; all were taken", count, rows));
     const auto durations = channels("DURACION DEL REGISTRO");
-    check_length(channel_number(durations, i).value_or(0), durations.line + 1, component, errors_);
+    check_length(channel_number(durations, i).value_or(0), durations.line + 1, component);
   }
 
   void describe(Component& component) {
-    const std::pair<const char*, const char*> facts[] = {{"station", "NOMBRE DE LA ESTACION"},
-                                                         {"station code", "CLAVE DE LA ESTACION"},
-                                                         {"soil", "TIPO DE SUELO"},
-                                                         {"event date", "FECHA DEL SISMO"},
-                                                         {"magnitude", "MAGNITUD(ES)"},
-                                                         {"instrument", "MODELO DEL ACELEROGRAFO"}};
-    for (const auto& [name, key] : facts)
-      if (!optional_value(key).empty()) component.header.emplace_back(name, optional_value(key));
+    state_facts({{"station", "NOMBRE DE LA ESTACION"},
+                 {"station code", "CLAVE DE LA ESTACION"},
+                 {"soil", "TIPO DE SUELO"},
+                 {"event date", "FECHA DEL SISMO"},
+                 {"magnitude", "MAGNITUD(ES)"},
+                 {"instrument", "MODELO DEL ACELEROGRAFO"}},
+                component);
     std::size_t line = 0;
     if (value_behind(file_.lines(), "CALIDAD DEL ACELEROGRAMA", line) && line + 1 < data_line_ &&
         !trimmed(file_.lines()[line + 1]).empty())
@@ -206,9 +199,6 @@ class UnamReader {
     return *first + 86400 * std::round((*origin - *first) / 86400);
   }
 
-  const SourceFile& file_;
-  const ReadOptions& options_;
-  FileErrors& errors_;
   ChannelValues names_;
   std::size_t data_line_ = 0, names_line_ = 0, first_row_ = 0;  ///< from 0
 };

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "groundmotions/measures/measure.h"
+#include "groundmotions/measures/rotation.h"
 #include "groundmotions/record/record.h"
 
 namespace gurney::groundmotions {
@@ -46,5 +48,19 @@ bool has_resultant(const Measure& measure);
 /// @throws  Error for a component that the record does not have, a measure without resultant, SRSS
 ///          of durations and periods, and as value_of() of a component does.
 double value_of(const Measure& measure, Combination combination, const Record& record);
+
+/// A measure over the angles of rotation.h; its percentiles are RotD. Not for spectral measures,
+/// which are combined at each period.
+RotatedValues rotated_values(const Measure& measure, double time_step, const Eigen::VectorXd& h1,
+                             const Eigen::VectorXd& h2);
+
+/// Pseudo-acceleration at samples of a record, its components combined at each period.
+/// @param periods  >= 0 [s]
+/// @param damping  in [0, 1)
+/// @returns [m/s2]
+/// @throws Error for a component that the record does not have, and for the resultant, which no
+///         spectrum has.
+Eigen::VectorXd combined_spectrum(Combination combination, const Record& record,
+                                  const Eigen::VectorXd& periods, double damping = 0.05);
 
 }  // namespace gurney::groundmotions

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cassert>
 #include <cmath>
+#include <complex>
 #include <optional>
+#include <unsupported/Eigen/FFT>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "engine/base/number_text.h"
@@ -12,11 +17,8 @@
 #include "engine/config/nearest_name.h"
 #include "groundmotions/measures/cumulative.h"
 #include "groundmotions/measures/fiv3.h"
-#include "groundmotions/measures/frequency_content.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/measures/plain_name.h"
 #include "groundmotions/measures/response_spectrum.h"
-#include "groundmotions/measures/spectral_averages.h"
 
 namespace gurney::groundmotions {
 namespace {
@@ -110,6 +112,16 @@ void read_arguments(Measure& measure, std::string_view arguments, const std::str
           where + fmt::format("the damping '{}' must be at least 0% and below 100%", damping));
   measure.damping = *value;
 }
+
+constexpr double kLowestFrequency = 0.25, kHighestFrequency = 20;  // [Hz]
+constexpr double kLargestFrequencyStep = 0.05;                     // [Hz]
+constexpr double kShortestPeriod = 0.02, kLongestPeriod = 10;      // [s]
+constexpr int kPeriods = 400;
+
+constexpr double kLowFactor = 0.2, kHighFactor = 3, kSpacing = 0.01;  // of SaAvg
+constexpr int kFewestPeriods = 10;
+constexpr double kShortest = 0.1, kLongest = 2.5;  // of SI [s]
+constexpr int kIntervals = 120;
 
 }  // namespace
 
@@ -207,6 +219,57 @@ Eigen::VectorXd spectral_periods(const Measure& measure) {
   if (measure.kind != Kind::kSaAvg) return {};
   if (measure.last_period > 0) return average_periods(measure.period, measure.last_period);
   return average_periods(measure.period);
+}
+
+double mean_period(double time_step, const Eigen::VectorXd& acceleration) {
+  assert(time_step > 0);
+  const double least = std::ceil(1 / (kLargestFrequencyStep * time_step));
+  const std::size_t length = std::bit_ceil(
+      std::max(2 * static_cast<std::size_t>(acceleration.size()), static_cast<std::size_t>(least)));
+  std::vector<double> padded(length, 0.0);
+  std::copy(acceleration.begin(), acceleration.end(), padded.begin());
+  Eigen::FFT<double> fft;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  std::vector<std::complex<double>> amplitudes;
+  fft.fwd(amplitudes, padded);
+
+  const double frequency_step = 1 / (static_cast<double>(length) * time_step);
+  double power = 0, weighted = 0;
+  for (std::size_t i = 1; i < amplitudes.size(); ++i) {
+    const double frequency = static_cast<double>(i) * frequency_step;
+    if (frequency < kLowestFrequency || frequency > kHighestFrequency) continue;
+    power += std::norm(amplitudes[i]);
+    weighted += std::norm(amplitudes[i]) / frequency;
+  }
+  return power > 0 ? weighted / power : 0;
+}
+
+double predominant_period(double time_step, const Eigen::VectorXd& acceleration) {
+  const auto periods = logarithmic_periods(kShortestPeriod, kLongestPeriod, kPeriods);
+  const auto spectrum = response_spectrum(time_step, acceleration, periods);
+  Eigen::Index largest = 0;
+  return spectrum.pseudo_acceleration.maxCoeff(&largest) > 0 ? periods[largest] : 0;
+}
+
+Eigen::VectorXd average_periods(double period) {
+  return average_periods(kLowFactor * period, kHighFactor * period);
+}
+
+Eigen::VectorXd average_periods(double from, double to) {
+  assert(from > 0 && to > from);
+  const int count = static_cast<int>(std::lround((to - from) / kSpacing)) + 1;
+  return Eigen::VectorXd::LinSpaced(std::max(count, kFewestPeriods), from, to);
+}
+
+double geometric_mean(const Eigen::VectorXd& spectral_accelerations) {
+  return std::exp(spectral_accelerations.array().log().mean());
+}
+
+double spectrum_intensity(double time_step, const Eigen::VectorXd& acceleration) {
+  const Eigen::VectorXd periods = Eigen::VectorXd::LinSpaced(kIntervals + 1, kShortest, kLongest);
+  const Eigen::VectorXd psv = response_spectrum(time_step, acceleration, periods).pseudo_velocity;
+  const double ends = (psv[0] + psv[kIntervals]) / 2;
+  return (kLongest - kShortest) / kIntervals * (psv.sum() - ends);
 }
 
 }  // namespace gurney::groundmotions

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cctype>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,7 +43,7 @@ Measure parse_measure(std::string_view text);
 /// The text form that parse_measure() reads: "Sa(1, 2%)".
 std::string name_of(const Measure& measure);
 
-/// What the measure is, in a sentence.
+/// Definition of the measure, in a sentence.
 std::string definition_of(const Measure& measure);
 
 /// A unit to print a value in.
@@ -71,5 +72,46 @@ double value_of(const Measure& measure, double time_step, const Eigen::VectorXd&
 
 /// The forms of parse_measure(), for help texts.
 std::vector<std::string> known_measures();
+
+/// `text` without blanks, in small letters: what names of measures are compared by.
+inline std::string plain_name(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    if (!std::isspace(static_cast<unsigned char>(c)))
+      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Mean period Tm = sum(C_i^2 / f_i) / sum(C_i^2) over 0.25 Hz <= f_i <= 20 Hz [s], C_i the Fourier
+/// amplitudes (Rathje, Abrahamson & Bray 1998, J. Geotech. Geoenviron. Eng. 124(2), 150-159;
+/// Rathje, Faraj, Russell & Bray 2004, Earthquake Spectra 20(1), 119-144, who ask for a frequency
+/// step of at most 0.05 Hz). The record is padded with zeros to a power of two of at least twice
+/// its length and at least 20 s. 0 if there is nothing in this band.
+/// @param time_step     > 0 [s]
+/// @param acceleration  [m/s2]
+double mean_period(double time_step, const Eigen::VectorXd& acceleration);
+
+/// Predominant period Tp: where PSA at 5 % damping (at the samples) is largest [s] (Rathje et al.
+/// 1998), among 400 logarithmically spaced periods from 0.02 to 10 s, which are 1.6 % apart. The
+/// shortest of equals; 0 for a motion that is all zero.
+double predominant_period(double time_step, const Eigen::VectorXd& acceleration);
+
+/// The periods of SaAvg(T): 0.01 s apart from 0.2 T to 3 T, as Eads, Miranda & Lignos (2015, EESD
+/// 44(12), 2057-2073) have them; at least ten, then evenly spaced.
+/// @param period  > 0 [s]
+Eigen::VectorXd average_periods(double period);
+
+/// Periods between two periods 0 < from < to [s].
+Eigen::VectorXd average_periods(double from, double to);
+
+/// Average spectral acceleration: the geometric mean of `spectral_accelerations` [m/s2], 0 if one
+/// of them is 0.
+double geometric_mean(const Eigen::VectorXd& spectral_accelerations);
+
+/// Spectrum intensity SI = int_0.1^2.5 PSV dT [m] (Housner 1952, Spectrum intensities of
+/// strong-motion earthquakes, Proc. Symposium on Earthquake and Blast Effects on Structures, Los
+/// Angeles), here at 5 % damping, peaks at the samples, by the trapezoid in steps of 0.02 s
+/// (damping and step are assumptions).
+double spectrum_intensity(double time_step, const Eigen::VectorXd& acceleration);
 
 }  // namespace gurney::groundmotions

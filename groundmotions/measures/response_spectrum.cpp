@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
-#include "groundmotions/measures/oscillator_pack.h"
+#include "groundmotions/measures/oscillator.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstring>
 #include <numbers>
 #include <vector>
 
 #include "engine/base/units.h"
-#include "groundmotions/measures/oscillator_pack.h"
+#include "groundmotions/measures/oscillator.h"
 #include "groundmotions/measures/response_spectrum.h"
 
 namespace gurney::groundmotions {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "groundmotions/measures/combination.h"
+#include "groundmotions/measures/measure.h"
 #include "groundmotions/measures/response_spectrum.h"
-#include "groundmotions/measures/rotated_values.h"
-#include "groundmotions/measures/spectral_averages.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +17,6 @@
 #include "engine/base/units.h"
 
 namespace gurney::groundmotions {
-
 namespace {
 
 /// One row of bssa14.csv, in the order of its columns.
@@ -97,6 +98,13 @@ Prediction predicted(const Coefficients& k, const Scenario& s) {
           std::lerp(k.tau1, k.tau2, std::clamp(s.magnitude - 4.5, 0., 1.)), phi_of(k, s)};
 }
 
+using std::numbers::pi;
+
+void check(double period) {
+  require(0.01 <= period && period <= 10,
+          fmt::format("period {:g} s: correlations are for 0.01 to 10 s", period));
+}
+
 }  // namespace
 
 Prediction bssa14_sa(const Scenario& scenario, double period) {
@@ -126,6 +134,35 @@ Prediction bssa14_pgv(const Scenario& scenario) {
   Prediction result = predicted(table()[0], scenario);
   result.median *= kCentimetre;
   return result;
+}
+
+double epsilon_correlation(double a, double b) {
+  check(a);
+  check(b);
+  constexpr double kShort = 0.109;  // [s]
+  const double low = std::min(a, b), high = std::max(a, b);
+  const double c1 = 1 - std::cos(pi / 2 - 0.366 * std::log(high / std::max(low, kShort)));
+  const double c2 = high < 0.2 ? 1 - 0.105 * (1 - 1 / (1 + std::exp(100 * high - 5))) *
+                                         (high - low) / (high - 0.0099)
+                               : 0;
+  const double c3 = high < kShort ? c2 : c1;
+  const double c4 = c1 + 0.5 * (std::sqrt(c3) - c3) * (1 + std::cos(pi * low / kShort));
+  if (high < kShort) return c2;
+  if (low > kShort) return c1;
+  return high < 0.2 ? std::min(c2, c4) : c4;
+}
+
+double pgv_correlation(double period) {
+  check(period);
+  struct Range {
+    double end, a, b, c, d;
+  };
+  constexpr Range kRanges[] = {{0.1, 0.73, 0.54, 0.045, 1.8},
+                               {0.75, 0.54, 0.81, 0.28, 1.5},
+                               {2.5, 0.80, 0.76, 1.1, 3.0},
+                               {10, 0.76, 0.70, 5.0, 3.2}};
+  const Range& r = *std::ranges::lower_bound(kRanges, period, {}, &Range::end);
+  return (r.a + r.b) / 2 - (r.a - r.b) / 2 * std::tanh(r.d * std::log(period / r.c));
 }
 
 }  // namespace gurney::groundmotions

@@ -4,7 +4,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/linear_algebra.h"
-#include "groundmotions/measures/integrate.h"
+#include "groundmotions/measures/peaks.h"
 
 namespace gurney::groundmotions {
 

@@ -26,7 +26,7 @@ Eigen::VectorXd without_pre_event_mean(double time_step, const Eigen::VectorXd& 
 /// Less a polynomial p(t) so that velocity and displacement, the exact integrals of the
 /// piecewise-linear acceleration from rest, end at zero to rounding.
 ///
-/// Of all such polynomials of this degree it is the one whose double integral is the least-squares
+/// Among all such polynomials of this degree it is the one whose double integral is the least-squares
 /// fit to the displacement. With degree 1 the end conditions alone decide: the smallest change of
 /// all in the sense of the integral of p^2, and none of a record that ends at rest. With degree 4
 /// it is the fit of displacement by a polynomial of order 6 without constant and linear term, its

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/base/error.h"
-#include "groundmotions/processing/taper.h"
+#include "groundmotions/processing/trim.h"
 
 namespace gurney::groundmotions {
 

@@ -13,7 +13,7 @@ namespace gurney::groundmotions {
 /// - h2 is 90 degrees clockwise of h1 (a mirror image): h2 is negated, its azimuth turned by 180;
 /// - any other angle: h2 is solved from the two. With e(z) = (sin z, cos z) in east and north, the
 ///   motion u has e(z1) . u = a1, e(z2) . u = a2; the new h2 is e(z1 - 90 degrees) . u.
-/// What was done is a line of record.processing. A record without both horizontals or without both
+/// The rotation is stated by a line of record.processing. A record without both horizontals or without both
 /// azimuths is given back as it is.
 /// @throws Error if the directions are less than 30 degrees from parallel (an assumption: noise
 ///         would be more than doubled).

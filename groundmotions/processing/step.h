@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <variant>
 
 #include "groundmotions/processing/butterworth.h"
@@ -8,7 +7,7 @@
 
 namespace gurney::groundmotions {
 
-/// What can be done to a record, with its parameters; docs/formats/processing.md. Butterworth is a
+/// Processing steps of a record, with their parameters; docs/formats/processing.md. Butterworth is a
 /// step as it is.
 
 struct Baseline {

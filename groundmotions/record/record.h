@@ -38,7 +38,7 @@ struct Component {
 struct Record {
   std::string name;
   std::array<std::optional<Component>, 3> components;  ///< indexed by Direction; at least one
-  /// Of a floor: about h1 and h2, right-handed, as many samples as the components.
+  /// Rotation of a floor about h1 and h2, right-handed, as many samples as the components.
   std::optional<FloorRotation> rotation;
   std::vector<std::string> warnings;    ///< of the files and of their assembly
   std::vector<std::string> processing;  ///< what was done to the samples since, step by step
@@ -49,5 +49,11 @@ struct Record {
   double time_step() const;      ///< [s]; 0 without components
   Eigen::Index samples() const;  ///< 0 without components
 };
+
+/// Time steps that a record may have [s]: 1 Hz to 100 kHz. Instruments have 50 to 1000 Hz.
+inline constexpr double kShortestTimeStep = 1e-5, kLongestTimeStep = 1;
+inline bool is_time_step(double step) {
+  return step >= kShortestTimeStep && step <= kLongestTimeStep;
+}
 
 }  // namespace gurney::groundmotions

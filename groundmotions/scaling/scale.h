@@ -16,7 +16,7 @@ inline constexpr double kDubiousFactor = 20;
 /// `scaled by 387000, more than 20: ...`; empty for a smaller factor
 std::string dubious_factor(double factor);
 
-/// What scaling does to the vertical component.
+/// Effect of scaling on the vertical component.
 struct VerticalScaling {
   enum class Rule {
     kAlike,  ///< by the factor of the horizontals

@@ -62,10 +62,26 @@ struct SuiteSpectra {
 };
 
 /// The same, with the floor kept between the periods too: the common factor is that of the lowest
-/// ratio anywhere in the range (lowest_ratio.h, to 1e-4, which is added). Least squares and misfits
+/// ratio anywhere in the range (lowest_ratio(), to 1e-4, which is added). Least squares and misfits
 /// are those at the periods given.
 SuiteScaling scale_suite(const Eigen::VectorXd& periods, const SuiteSpectra& spectra,
                          const std::vector<std::string>& names,
                          const SuiteScalingOptions& options = {});
+
+/// The lowest value of a function of the period, and where it is.
+struct LowestRatio {
+  double period = 0;  ///< [s]
+  double ratio = 0;
+};
+
+/// Finds the lowest value between given periods too. Intervals are halved until none can go below
+/// the lowest value found by more than `tolerance` (relative), if the function is nowhere twice as
+/// steep over ln T as beside the steepest interval of its neighbourhood.
+/// @param periods    growing, > 0, at least 2 [s]
+/// @param ratios     of the periods, > 0
+/// @param ratios_at  the function, at periods in any order
+LowestRatio lowest_ratio(const Eigen::VectorXd& periods, const Eigen::VectorXd& ratios,
+                         const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& ratios_at,
+                         double tolerance);
 
 }  // namespace gurney::groundmotions

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "engine/config/table.h"
 #include "groundmotions/formats/source_file.h"
 
 namespace gurney::groundmotions {
@@ -65,5 +67,11 @@ TargetSpectrum ac156_spectrum(double short_period_acceleration, double height_ra
 /// row is at 0 s); undefined outside.
 /// @throws Error for anything else, one line for each error.
 TargetSpectrum table_spectrum(const SourceFile& file);
+
+/// Reads `target` and its parameters: "asce7" (sds_g, sd1_g, tl_s), "eurocode8" (type, ground,
+/// ag_g, damping_ratio, vertical), "nzs1170" (site_class, hazard_factor, return_factor,
+/// fault_distance_km), "ac156" (sds_g, height_ratio, vertical) or "table" (file). Errors are
+/// noted in the table's document; the result is empty then.
+std::optional<TargetSpectrum> read_target(config::Table& table);
 
 }  // namespace gurney::groundmotions

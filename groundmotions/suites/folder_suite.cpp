@@ -3,19 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "engine/base/error.h"
-#include "groundmotions/assembly/live_channels.h"
+#include "groundmotions/assembly/read_record.h"
 #include "groundmotions/formats/words.h"
-#include "groundmotions/suites/companions.h"
 #include "groundmotions/suites/grouping.h"
-#include "groundmotions/suites/peer_search_results.h"
+#include "groundmotions/suites/list_suite.h"
 
 namespace gurney::groundmotions {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,6 +137,28 @@ Suite grouped(FileGrouping grouping, std::vector<fs::path> files, const Progress
   return suite;
 }
 
+constexpr std::array kCompanions = {std::pair(".VT2", ".AT2"), std::pair(".DT2", ".AT2"),
+                                    std::pair(".VEL", ".ACC"), std::pair(".DIS", ".ACC"),
+                                    std::pair(".DSP", ".ACC"), std::pair(".DISP", ".ACC")};
+
+std::string key_of(const std::filesystem::path& path) {
+  return (path.parent_path() / upper(path.filename().string())).string();
+}
+
+/// The acceleration file beside a velocity or a displacement; empty if the name is of neither.
+std::string acceleration_of(const std::filesystem::path& path) {
+  const std::string name = upper(path.filename().string());
+  for (const auto& [mark, other] : kCompanions) {
+    const std::string text = mark;
+    const auto at = name.rfind(text);
+    if (at == std::string::npos) continue;
+    const auto end = at + text.size();
+    if (end < name.size() && name[end] != '.') continue;
+    return (path.parent_path() / (name.substr(0, at) + other + name.substr(end))).string();
+  }
+  return {};
+}
+
 }  // namespace
 
 Suite group_files(const std::vector<fs::path>& files, const ReadOptions& options,
@@ -148,6 +171,15 @@ Suite read_folder_suite(const fs::path& folder, const ReadOptions& options,
   const auto files = files_in(folder);
   require(!files.empty(), folder.string() + ": the folder holds no files");
   return grouped({options, true}, files, progress);
+}
+
+std::size_t drop_companions(std::vector<std::filesystem::path>& files) {
+  std::set<std::string> names;
+  for (const auto& file : files) names.insert(key_of(file));
+  return std::erase_if(files, [&](const auto& file) {
+    const std::string acceleration = acceleration_of(file);
+    return !acceleration.empty() && names.contains(acceleration);
+  });
 }
 
 }  // namespace gurney::groundmotions

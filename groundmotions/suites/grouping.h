@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "groundmotions/record/record.h"
 #include "groundmotions/suites/suite.h"
 
 namespace gurney::groundmotions {
@@ -40,12 +41,25 @@ std::vector<SuiteRecord> records_of_file(const std::vector<FoundComponent>& chan
 
 /// Files of one component as records, of different names. Components belong together if folder and
 /// site are the same and
-/// - their files are named alike but for the component (name_marks.h where only the name says it), or
+/// - their files are named alike but for the component (file_names.h where only the name says it), or
 /// - event and station are the same and together they can be one record: one vertical and two
 ///   horizontals at most, none parallel, that start together. Where there are more than that, those
 ///   whose names are most alike.
 /// @param doubts  files that may belong together and are not joined
 std::vector<SuiteRecord> records_of_components(std::vector<FoundComponent> components,
                                                std::vector<std::string>& doubts);
+
+/// The name of a component's file without the name of the component: "RSN1063_NORTHR_RRS228.AT2"
+/// of component "228" is "RSN1063_NORTHR_RRS*.AT2". At the end of a name without its extension
+/// three digits and the words for up and down may touch what is before them: "C05085" of "085" is
+/// "C05*". Empty if the component's name is not in it.
+std::string name_without_component(const std::string& file_name, const std::string& component);
+
+/// The same for the first spelling of the component that is in the name: as the file calls it, its
+/// azimuth in three digits (360 for 0 too), or the words for a vertical.
+std::string name_pattern(const std::string& file_name, const Component& component);
+
+/// The name of a record whose files are named by a pattern: "RSN1063_NORTHR_RRS".
+std::string name_of_pattern(std::string pattern);
 
 }  // namespace gurney::groundmotions

@@ -1,20 +1,17 @@
 #include "groundmotions/suites/suite.h"
 
 #include <fmt/format.h>
+#include <glob.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/config/file_snapshot.h"
 #include "groundmotions/suites/folder_suite.h"
-#include "groundmotions/suites/glob.h"
 #include "groundmotions/suites/list_suite.h"
-#include "groundmotions/suites/peer_search_results.h"
 
 namespace gurney::groundmotions {
-
 namespace {
 
 void append(Suite& suite, Suite more) {
@@ -89,6 +86,21 @@ Record read_record(const SuiteRecord& entry) {
     if (component) component->acceleration *= entry.scale;
   record.processing.push_back(fmt::format("scaled by {:g}, as the list says", entry.scale));
   return record;
+}
+
+bool is_glob(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return path.string().find_first_of("*?[") != std::string::npos &&
+         !std::filesystem::exists(path, ignored);
+}
+
+std::vector<std::filesystem::path> glob(const std::filesystem::path& pattern) {
+  std::vector<std::filesystem::path> paths;
+  glob_t found{};
+  if (::glob(pattern.c_str(), 0, nullptr, &found) == 0)
+    for (std::size_t i = 0; i < found.gl_pathc; ++i) paths.emplace_back(found.gl_pathv[i]);
+  ::globfree(&found);
+  return paths;
 }
 
 }  // namespace gurney::groundmotions

@@ -23,7 +23,7 @@ constexpr int kPerOctave = 24, kIterations = 20;
 /// steepest place of an oscillator's resonance. Halfway between points of the last grid it may be
 /// lower by (ln 2 / 768 / 2) / (2 zeta) = 0.0045.
 constexpr int kPerOctaveAtLast = 768;
-/// Of the last grid, points first: between two of them the ratio to the required spectrum, whose
+/// Points of the last grid come first: between two of them the ratio to the required spectrum, whose
 /// own slope is at most 1 in logarithms, is lower than at the lower one by less than
 /// (1 / (2 zeta) + 1) times half their distance. Twice that is kept.
 constexpr std::size_t kStride = 8;

@@ -9,8 +9,6 @@
 
 #include "engine/base/error.h"
 #include "groundmotions/synthetic/component.h"
-#include "groundmotions/synthetic/end_state.h"
-#include "groundmotions/synthetic/taper.h"
 
 namespace gurney::groundmotions {
 

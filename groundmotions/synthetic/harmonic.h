@@ -8,7 +8,7 @@ namespace gurney::groundmotions {
 //
 //     d = -A w(t) sin(phi) / phi'^2,  w = 1, at the ends sin^2 over the taper,
 //
-// so that they have no drift and end at rest where they began; a = d'' (end_state.h) is
+// so that they have no drift and end at rest where they began; a = d'' (component.h) is
 // A w sin(phi) but for terms that are small while w and phi' change slowly. Then a is scaled to its
 // peak A at samples.
 

@@ -9,7 +9,6 @@
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "groundmotions/synthetic/harmonic.h"
 #include "groundmotions/synthetic/kinds.h"
-#include "groundmotions/synthetic/long_period.h"
 #include "groundmotions/synthetic/noise.h"
 #include "groundmotions/synthetic/pulses.h"
 #include "groundmotions/synthetic/rezaeian.h"

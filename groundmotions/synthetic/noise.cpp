@@ -10,8 +10,6 @@
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "groundmotions/synthetic/component.h"
-#include "groundmotions/synthetic/end_state.h"
-#include "groundmotions/synthetic/taper.h"
 
 namespace gurney::groundmotions {
 

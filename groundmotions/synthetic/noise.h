@@ -44,7 +44,7 @@ struct WhiteNoise {
 };
 
 /// Noise whose displacement is tapered, so that it has no drift and ends at rest where it began
-/// (end_state.h), scaled to its peak at samples.
+/// (component.h), scaled to its peak at samples.
 /// @throws Error unless the band lies below 0.4 of the sampling rate and the taper fits.
 Record white_noise(double time_step, const WhiteNoise& motion);
 

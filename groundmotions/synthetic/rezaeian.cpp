@@ -16,7 +16,6 @@
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
 #include "groundmotions/synthetic/component.h"
-#include "groundmotions/synthetic/end_state.h"
 
 namespace gurney::groundmotions {
 

@@ -35,7 +35,7 @@ struct StochasticMotion {
 
 /// omega_f is held between 0.3 Hz and half the Nyquist frequency (an assumption). The motion runs
 /// until 99.9 % of the energy has come and 2 / corner frequency longer, then its end state is set
-/// to rest (end_state.h).
+/// to rest (component.h).
 /// @throws Error unless D_5-95 < 4.5 t_mid, where the gamma density has no singularity at 0, and
 ///         omega_mid is below half the Nyquist frequency.
 Record stochastic_motion(const StochasticMotion& motion);

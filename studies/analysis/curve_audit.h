@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/analysis/report_unit.h"
 #include "studies/analysis/scale_factors.h"
+#include "studies/analysis/study_data.h"
 #include "studies/statistics/bands.h"
 #include "studies/statistics/fragility.h"
 

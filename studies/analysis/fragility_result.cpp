@@ -7,9 +7,11 @@
 #include <limits>
 #include <utility>
 
+#include "engine/base/error.h"
 #include "studies/analysis/demands.h"
 #include "studies/analysis/measure_choice.h"
 #include "studies/statistics/capacity.h"
+#include "studies/statistics/cloud.h"
 #include "studies/statistics/fragility.h"
 #include "studies/statistics/hazard.h"
 
@@ -22,6 +24,80 @@ std::string intensity(const ReportUnit& unit, double im) {
   return fmt::format("{:.3g}{}{}", im / unit.in_si, unit.name == "1" ? "" : " ",
                      unit.name == "1" ? "" : unit.name);
 }
+
+constexpr int kGridPoints = 61;
+constexpr std::size_t kMaxStripes = 40;  ///< more distinct intensities are a cloud, not stripes
+
+std::vector<double> grid(const std::vector<statistics::Stripe>& stripes) {
+  if (stripes.empty()) return {};
+  const double low = std::log(stripes.front().im / 1.5), high = std::log(stripes.back().im * 1.5);
+  std::vector<double> im;
+  for (int i = 0; i < kGridPoints; ++i)
+    im.push_back(std::exp(low + (high - low) * i / (kGridPoints - 1)));
+  return im;
+}
+
+void judge_stripes(const statistics::StripeTable& table, const FragilityRequest& request,
+                   std::uint64_t seed, FragilityResult& result) {
+  result.profile = statistics::profile_intervals(table, request.confidence, true);
+  result.fit_is_judged = !table.repeats_groups();
+  if (!result.fit_is_judged) return;
+  if (const auto check = statistics::check_fit(result.stripes, 999, seed))
+    result.p_of_fit = check->p_simulated;
+}
+
+/// The band of an IDA without a curve stays that of its outcomes, which supposes no model.
+void judge_capacities(const FragilityRequest& request, std::uint64_t seed,
+                      FragilityResult& result) {
+  if (!result.capacities->curve) return;
+  result.band = {};
+  result.band.status = result.capacities->status;
+  result.band.effective = result.audit.effective;
+  result.band.too_few = has_few_records(result.audit);
+  result.band.theta = result.band.beta = {0, std::numeric_limits<double>::infinity()};
+  if (!result.band.too_few) {
+    const double beta = result.capacities->curve->beta;
+    statistics::CapacityIntervals intervals = statistics::capacity_intervals(
+        result.brackets, *result.capacities, result.im, request.confidence);
+    result.band.of_curve = intervals.of_curve;
+    result.band.theta =
+        statistics::bounded(intervals.theta, result.audit.lowest, result.audit.highest);
+    result.band.beta = statistics::bounded(intervals.beta, beta, beta);
+    result.band.outline = std::move(intervals.outline);
+  }
+  result.fit_is_judged = result.brackets.size() == result.records;
+  if (result.fit_is_judged)
+    result.p_of_fit = statistics::p_of_lognormal(result.brackets, *result.capacities, 499, seed);
+}
+
+/// The fit of a cloud is judged by its R2.
+void judge_cloud(double limit, const FragilityRequest& request, FragilityResult& result) {
+  if (result.cloud_curve)
+    result.band =
+        statistics::cloud_band(*result.cloud, result.demands, limit, result.im, request.confidence);
+}
+
+const FragilityResult* find(const std::vector<FragilityResult>& results, const std::string& state,
+                            const std::string& configuration) {
+  for (const FragilityResult& each : results)
+    if (each.state == state && each.configuration == configuration) return &each;
+  return nullptr;
+}
+
+double probability(const FragilityResult& result, std::size_t stripe) {
+  if (const auto curve = result.curve()) return curve->probability(result.stripes[stripe].im);
+  return result.isotonic[stripe];
+}
+
+/// How much more likely a worse level is than a milder one, at most.
+double crossing(const std::vector<double>& exceedance) {
+  double largest = 0;
+  for (std::size_t i = 1; i < exceedance.size(); ++i)
+    largest = std::max(largest, exceedance[i] - exceedance[i - 1]);
+  return largest;
+}
+
+constexpr double kSmallCrossing = 0.005;  // what a table in per cent does not show
 
 }  // namespace
 
@@ -92,62 +168,6 @@ std::vector<std::string> cautions(const SiteRate& rate, const ReportUnit& unit) 
   return all;
 }
 
-namespace {
-
-constexpr int kGridPoints = 61;
-constexpr std::size_t kMaxStripes = 40;  ///< more distinct intensities are a cloud, not stripes
-
-std::vector<double> grid(const std::vector<statistics::Stripe>& stripes) {
-  if (stripes.empty()) return {};
-  const double low = std::log(stripes.front().im / 1.5), high = std::log(stripes.back().im * 1.5);
-  std::vector<double> im;
-  for (int i = 0; i < kGridPoints; ++i)
-    im.push_back(std::exp(low + (high - low) * i / (kGridPoints - 1)));
-  return im;
-}
-
-void judge_stripes(const statistics::StripeTable& table, const FragilityRequest& request,
-                   std::uint64_t seed, FragilityResult& result) {
-  result.profile = statistics::profile_intervals(table, request.confidence, true);
-  result.fit_is_judged = !table.repeats_groups();
-  if (!result.fit_is_judged) return;
-  if (const auto check = statistics::check_fit(result.stripes, 999, seed))
-    result.p_of_fit = check->p_simulated;
-}
-
-/// The band of an IDA without a curve stays that of its outcomes, which supposes no model.
-void judge_capacities(const FragilityRequest& request, std::uint64_t seed,
-                      FragilityResult& result) {
-  if (!result.capacities->curve) return;
-  result.band = {};
-  result.band.status = result.capacities->status;
-  result.band.effective = result.audit.effective;
-  result.band.too_few = has_few_records(result.audit);
-  result.band.theta = result.band.beta = {0, std::numeric_limits<double>::infinity()};
-  if (!result.band.too_few) {
-    const double beta = result.capacities->curve->beta;
-    statistics::CapacityIntervals intervals = statistics::capacity_intervals(
-        result.brackets, *result.capacities, result.im, request.confidence);
-    result.band.of_curve = intervals.of_curve;
-    result.band.theta =
-        statistics::bounded(intervals.theta, result.audit.lowest, result.audit.highest);
-    result.band.beta = statistics::bounded(intervals.beta, beta, beta);
-    result.band.outline = std::move(intervals.outline);
-  }
-  result.fit_is_judged = result.brackets.size() == result.records;
-  if (result.fit_is_judged)
-    result.p_of_fit = statistics::p_of_lognormal(result.brackets, *result.capacities, 499, seed);
-}
-
-/// The fit of a cloud is judged by its R2.
-void judge_cloud(double limit, const FragilityRequest& request, FragilityResult& result) {
-  if (result.cloud_curve)
-    result.band =
-        statistics::cloud_band(*result.cloud, result.demands, limit, result.im, request.confidence);
-}
-
-}  // namespace
-
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request) {
   const RunMeasure measure = data.measure(request.measure);
   const LimitState& state = data.limit_states().at(request.state);
@@ -191,32 +211,6 @@ std::vector<FragilityResult> fragilities_of(const StudyData& data) {
   return all;
 }
 
-namespace {
-
-const FragilityResult* find(const std::vector<FragilityResult>& results, const std::string& state,
-                            const std::string& configuration) {
-  for (const FragilityResult& each : results)
-    if (each.state == state && each.configuration == configuration) return &each;
-  return nullptr;
-}
-
-double probability(const FragilityResult& result, std::size_t stripe) {
-  if (const auto curve = result.curve()) return curve->probability(result.stripes[stripe].im);
-  return result.isotonic[stripe];
-}
-
-/// How much more likely a worse level is than a milder one, at most.
-double crossing(const std::vector<double>& exceedance) {
-  double largest = 0;
-  for (std::size_t i = 1; i < exceedance.size(); ++i)
-    largest = std::max(largest, exceedance[i] - exceedance[i - 1]);
-  return largest;
-}
-
-constexpr double kSmallCrossing = 0.005;  // what a table in per cent does not show
-
-}  // namespace
-
 std::vector<PerformanceTable> performance_tables(const StudyData& data,
                                                  const std::vector<FragilityResult>& results) {
   std::vector<PerformanceTable> tables;
@@ -241,6 +235,47 @@ std::vector<PerformanceTable> performance_tables(const StudyData& data,
     tables.push_back(std::move(table));
   }
   return tables;
+}
+
+VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t configuration,
+                       const MeasurePair& measures) {
+  VectorResult result;
+  result.configuration = data.configurations().at(configuration);
+  result.state = data.limit_states().at(state).name;
+  result.words = data.limit_states()[state].words;
+  result.failed = data.failed(configuration);
+  result.measures = {data.measure(measures[0]), data.measure(measures[1])};
+  require(result.measures[0].name != result.measures[1].name,
+          fmt::format("{}: the second measure must not be the first, {}", data.file().path(),
+                      result.measures[0].name));
+  const std::vector<std::size_t>& runs = data.runs_of(configuration);
+  const std::vector<bool> exceeds = data.exceedances(state, runs);
+  std::array<std::vector<statistics::Observation>, 2> alone;
+  std::vector<statistics::CloudPoint> points;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const double first = result.measures[0].values[runs[i]];
+    const double second = result.measures[1].values[runs[i]];
+    if (!(first > 0 && second > 0)) {
+      ++result.left_out;
+      continue;
+    }
+    const std::size_t record = data.record_of(runs[i]);
+    result.runs.push_back({first, second, exceeds[i], record});
+    points.push_back({.im = first, .edp = second, .group = record});
+    alone[0].push_back({first, exceeds[i], record});
+    alone[1].push_back({second, exceeds[i], record});
+  }
+  result.fit = statistics::fit_vector(result.runs);
+  if (result.fit.status == statistics::VectorStatus::kFitted)
+    result.audit.theta = result.audit.lowest = result.audit.highest = result.fit.theta();
+  result.audit.outcomes = result.fit.runs;
+  result.audit.exceeded = result.fit.exceeded;
+  result.audit.records = result.fit.groups;
+  result.audit.effective = statistics::effective_groups(points);
+  result.audit.fewest = statistics::kFewestGroups;
+  result.audit.factors = scale_factors(data, configuration);
+  for (const std::size_t i : {0, 1}) result.alone[i] = statistics::fit_fragility(alone[i]);
+  return result;
 }
 
 }  // namespace gurney::study

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -14,7 +13,7 @@
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "engine/response/response.h"
-#include "studies/analysis/run_levels.h"
+#include "studies/analysis/demand_runs.h"
 #include "studies/results/hdf5_reader.h"
 
 namespace gurney::study {

@@ -34,6 +34,34 @@ Place place_of(Quantity::Of of) {
   return {};
 }
 
+/// The table [study] of the job that the file holds; the job's other files are not needed.
+Study study_of(const StudyReader& file) {
+  config::Document document(file.job_text(), file.path() + " (its job)");
+  rename_old_keys(document);
+  config::Table root = document.root();
+  auto table = root.table("study");
+  require(table.has_value(), file.path() + ": its job has no table [study]");
+  return read_study(*table, *document.tree().find("study"));
+}
+
+/// For each record of a file: is it wanted? Empty where none is named.
+std::vector<bool> named_records(const StudyReader& file, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return {};
+  const std::vector<std::string> names = file.strings("records/name");
+  for (const std::string& name : wanted)
+    require(
+        std::ranges::find(names, name) != names.end(),
+        fmt::format("{}: no record '{}'{}", file.path(), name, config::suggestion(name, names)));
+  std::vector<bool> named;
+  for (const std::string& name : names)
+    named.push_back(std::ranges::find(wanted, name) != wanted.end());
+  return named;
+}
+
+bool is_number(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
+}
+
 }  // namespace
 
 std::string table_of(Quantity::Of of) { return place_of(of).table; }
@@ -69,38 +97,6 @@ std::vector<double> FileValues::operator()(std::size_t run, const Quantity& quan
   }
   return values;
 }
-
-namespace {
-
-/// The table [study] of the job that the file holds; the job's other files are not needed.
-Study study_of(const StudyReader& file) {
-  config::Document document(file.job_text(), file.path() + " (its job)");
-  rename_old_keys(document);
-  config::Table root = document.root();
-  auto table = root.table("study");
-  require(table.has_value(), file.path() + ": its job has no table [study]");
-  return read_study(*table, *document.tree().find("study"));
-}
-
-/// For each record of a file: is it wanted? Empty where none is named.
-std::vector<bool> named_records(const StudyReader& file, const std::vector<std::string>& wanted) {
-  if (wanted.empty()) return {};
-  const std::vector<std::string> names = file.strings("records/name");
-  for (const std::string& name : wanted)
-    require(
-        std::ranges::find(names, name) != names.end(),
-        fmt::format("{}: no record '{}'{}", file.path(), name, config::suggestion(name, names)));
-  std::vector<bool> named;
-  for (const std::string& name : names)
-    named.push_back(std::ranges::find(wanted, name) != wanted.end());
-  return named;
-}
-
-bool is_number(const std::vector<double>& values) {
-  return std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
-}
-
-}  // namespace
 
 StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
                      const std::vector<std::string>& records, const UnitSystem& units)
@@ -226,6 +222,14 @@ std::vector<statistics::CloudPoint> StudyData::cloud(std::size_t state, std::siz
     if (point.im > 0) points.push_back(point);
   }
   return points;
+}
+
+ReportUnit report_unit(const StudyData& data, const RunMeasure& measure) {
+  const IntensityPlan& plan = data.study().intensity;
+  const bool stated = plan.unit_in_si != 1 && !data.units().chosen() &&
+                      measure.name == data.file().text_attribute("intensity_measure");
+  if (stated) return {plan.unit, plan.unit_in_si};
+  return data.units().of(measure.units);
 }
 
 }  // namespace gurney::study

@@ -114,4 +114,8 @@ class StudyData {
   std::vector<std::size_t> failed_, record_;
 };
 
+/// Unit of an intensity: the chosen one, else that in which the study states its levels where it is
+/// their measure, else that of the job's units for all.
+ReportUnit report_unit(const StudyData& data, const RunMeasure& measure);
+
 }  // namespace gurney::study

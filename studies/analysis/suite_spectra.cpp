@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
-#include "groundmotions/measures/combined_spectrum.h"
+#include "groundmotions/measures/combination.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "studies/analysis/configuration_view.h"
 #include "studies/analysis/kept_job.h"

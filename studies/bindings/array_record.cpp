@@ -7,7 +7,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
-#include "groundmotions/record/time_step_range.h"
+#include "groundmotions/record/record.h"
 
 namespace gurney::bindings {
 namespace {

@@ -15,7 +15,7 @@ struct FinishedRun {
   Response response;
 };
 
-/// What is to run: a job file, or the text of one.
+/// Job to run: a file, or its text.
 struct RunRequest {
   std::string path;  ///< of the job; with a text: its name in messages
   std::optional<std::string> text;

@@ -2,8 +2,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <memory>
-
 #include "engine/base/error.h"
 #include "equipment/catalogue/data_folder.h"
 #include "studies/bindings/array_record.h"

@@ -1,7 +1,6 @@
 #include "studies/build_info/build_info.h"
 
 #include "git_commit.h"  // written by write_git_commit.cmake at every build
-#include "studies/build_info/libraries.h"
 
 namespace gurney::build_info {
 

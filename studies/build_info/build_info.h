@@ -4,7 +4,7 @@
 
 namespace gurney::build_info {
 
-/// What this program was built from. Results carry it, so that a number can be traced to its code.
+/// Source and tools of this build. Results carry it, so that a number can be traced to its code.
 struct BuildInfo {
   std::string program_version;   ///< of the project, such as "0.1.0"
   std::string git_commit;        ///< 40 digits; "+changes" follows for modified sources
@@ -14,5 +14,8 @@ struct BuildInfo {
 };
 
 BuildInfo build_info();
+
+/// Names and versions of the libraries this program was built with: "Boost 1.74.0, Bullet 3.24, ..."
+std::string libraries();
 
 }  // namespace gurney::build_info

@@ -1,16 +1,14 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <memory>
 
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
 #include "studies/calibration/fit/caster_file.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/new_folder.h"
-#include "studies/cli/signals.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/pulling_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/calibration_report.h"
@@ -86,24 +84,22 @@ int run_calibrate(const CalibrateOptions& options) {
 
 }  // namespace
 
-void add_calibrate(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<CalibrateOptions>();
-  CalibrateOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("calibrate", "Estimate caster parameters from measured pulls and impacts");
-  command
-      ->add_option("TRIALS", options.trials,
-                   "A file of trials, or a folder of them (docs/formats/trial_file.md)")
-      ->required();
-  command->add_option("-o,--output", options.folder,
-                      "A folder for the report, its figure and a file for each caster and floor");
-  command->add_option("--base", options.base,
-                      "The caster whose parameters are kept where no trial gives one (default: the "
-                      "catalogue's of the same name)");
-  add_figure_format(*command, options.figures);
-  command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([shared, &action] { action = [shared] { return run_calibrate(*shared); }; });
+void add_calibrate(Commands& commands) {
+  commands.add<CalibrateOptions>(
+      {"calibrate", "Estimate caster parameters from measured pulls and impacts",
+       "gurney calibrate studies/calibration/example -o calibrated"},
+      run_calibrate, [](Options& add, CalibrateOptions& options) {
+        add.required("TRIALS", options.trials,
+                     "A file of trials, or a folder of them (docs/formats/trial_file.md)");
+        add("-o,--output FOLDER", options.folder,
+            "A folder for the report, its figure and a file for each caster and floor");
+        add("--base FILE", options.base,
+            "The caster whose parameters are kept where no trial gives one (default: the "
+            "catalogue's of the same name)");
+        add_figure_format(add, options.figures);
+        add("--overwrite", options.overwrite, "Replace files that exist");
+        add("--json", options.json, "Print JSON, in SI units");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,23 +1,18 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
-
 #include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/check_file.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/equipment_check.h"
-#include "studies/cli/job_argument.h"
-#include "studies/cli/print.h"
-#include "studies/cli/scale_warnings.h"
-#include "studies/cli/study_size.h"
-#include "studies/cli/study_warnings.h"
+#include "studies/cli/equipment_command.h"
+#include "studies/cli/output.h"
+#include "studies/cli/study_output.h"
 #include "studies/plan/stages.h"
 #include "studies/prepare/run_job.h"
 #include "studies/report/overview_report.h"
-#include "studies/report/scale_factors.h"
+#include "studies/report/study_report.h"
 #include "studies/run/declared_ranges.h"
 #include "studies/run/estimate.h"
 
@@ -30,7 +25,7 @@ struct CheckOptions {
   int threads = 0;
 };
 
-/// What is known of a job: a value for programs, and words for people beside the key without its
+/// Facts of a job: a value for programs, and words for people beside the key without its
 /// unit.
 class Answer {
  public:
@@ -70,7 +65,7 @@ void add_intensity(Answer& answer, const study::IntensityPlan& plan) {
                            1 + plan.more_stages, study::kLevelsOfAStage));
 }
 
-/// Of the levels as stated: of an IDA the first, for the others are not known before it runs.
+/// Scale factors of the stated levels: of an IDA the first, for the others are not known before it runs.
 void add_scale_factors(Answer& answer, const study::Batch& batch) {
   const study::IntensityPlan& plan = batch.job.study().intensity;
   const bool ida = plan.kind == study::IntensityPlan::Kind::kIda;
@@ -191,16 +186,16 @@ int check_command(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* const check =
-      app.add_subcommand("check", "Validate a job and estimate its cost (dry run)");
-  check->add_option("JOB", options->job, "The job file; or a file of an item, caster, room ...")
-      ->required();
-  check->add_flag("--json", options->json, "Print the answer as JSON");
-  check->add_option("-j,--threads", options->threads, "Threads of the study")
-      ->check(CLI::Range(1, 4096));
-  check->callback([options, &action] { action = [options] { return check_command(*options); }; });
+void add_check(Commands& commands) {
+  commands.add<CheckOptions>({"check", "Validate a job and estimate its cost (dry run)",
+                              "gurney check studies/jobs/icu_ventilator_fragility.toml\n"
+                              "gurney check job.toml --json"},
+                             check_command, [](Options& add, CheckOptions& options) {
+                               add.required("JOB", options.job,
+                                            "The job file; or a file of an item, caster, room ...");
+                               add("--json", options.json, "Print the answer as JSON");
+                               add.threads(options.threads, "Threads of the study");
+                             });
 }
 
 }  // namespace gurney::cli

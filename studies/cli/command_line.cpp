@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -14,22 +13,14 @@
 #include <sstream>
 
 #include "engine/base/error.h"
-#include "engine/base/printable.h"
 #include "engine/config/nearest_name.h"
 #include "studies/build_info/build_info.h"
-#include "studies/build_info/libraries.h"
-#include "studies/cli/command_help.h"
-#include "studies/cli/command_tree.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/help_format.h"
+#include "studies/cli/help.h"
 #include "studies/cli/json_errors.h"
-#include "studies/cli/manual_page.h"
-#include "studies/cli/replay_command.h"
-#include "studies/cli/run_command.h"
-#include "studies/cli/signals.h"
-#include "studies/cli/standard_error.h"
-#include "studies/cli/units_option.h"
-#include "studies/render/emphasis.h"
+#include "studies/cli/process.h"
+#include "studies/cli/shared_options.h"
+#include "studies/render/wrapped.h"
 
 namespace gurney::cli {
 namespace {
@@ -45,61 +36,23 @@ std::string version() {
       build.cpu_class, build_info::libraries());
 }
 
-void add_run(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<RunOptions>();
-  RunOptions& options = *shared;
-  CLI::App* const run = app.add_subcommand("run", "Run a job: a single run or a study");
-  run->add_option("JOB", options.job,
-                  "The job file, such as studies/jobs/icu_ventilator_shake.toml")
-      ->required();
-  run->add_option("-o,--output", options.output,
-                  "The results file; the figure and the log are written beside it "
-                  "(default: out/<name of the job>.h5)");
-  run->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  CLI::Option* const units = add_units_option(*run, options.units);
-  CLI::Option* const json =
-      run->add_flag("--json", options.json, "Print the summary as JSON, in SI units");
-  json->excludes(units);
-  run->add_flag("-q,--quiet", options.quiet, "Print warnings and errors only")->excludes(json);
-  run->add_flag("--verbose", options.verbose, "Print what is zero too")->excludes(json);
-  run->add_flag("--no-figure", options.no_figure, "Draw no figure");
-  add_figure_format(*run, options.figures);
-  run->add_flag("--resume", options.resume, "Continue an interrupted study");
-  run->add_option("--shard", options.shard,
-                  "Run one share of a study: I/N, or auto to take it from Slurm or Open MPI; see "
-                  "merge");
-  run->add_option("-j,--threads", options.threads,
-                  "Threads for a study (default: all hardware threads); a single run takes one")
-      ->check(CLI::Range(1, 4096));
-  run->callback([shared, &action] { action = [shared] { return run_command(*shared); }; });
-}
-
-void add_replay(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<ReplayOptions>();
-  ReplayOptions& options = *shared;
-  CLI::App* const replay =
-      app.add_subcommand("replay", "Re-run one case of a study with full output");
-  replay->add_option("FILE", options.file, "The results file of the study")->required();
-  replay->add_option("RUN", options.run, "Index of the run")->required();
-  replay->add_option("--job", options.job, "The job file (default: the path in the study's log)");
-  replay->add_option("-o,--output", options.output,
-                     "The results file (default: FILE_run_RUN.h5 beside FILE)");
-  replay->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  CLI::Option* const units = add_units_option(*replay, options.units);
-  replay->add_flag("--json", options.json, "Print the summary as JSON, in SI units")
-      ->excludes(units);
-  replay->add_flag("--no-figure", options.no_figure, "Draw no figure");
-  add_figure_format(*replay, options.figures);
-  replay->callback([shared, &action] { action = [shared] { return replay_command(*shared); }; });
+/// The command `help`, which parse_and_run() carries out.
+void add_help(Commands& commands) {
+  commands.add<bool>(
+      {"help", "Print this help, or that of a command",
+       "gurney help records scale\ngurney help --man"},
+      [](const bool&) { return kDone; },
+      [](Options& add, bool& manual) { add("--man", manual, "Print the manual page gurney(1)"); });
 }
 
 void add_colour(CLI::App& app) {
   using enum render::Colour;
   const std::map<std::string, render::Colour> known = {
       {"auto", kAuto}, {"always", kAlways}, {"never", kNever}};
-  app.add_option_function<std::string>(
-         "--color", [known](const std::string& when) { render::set_colour(known.at(when)); },
-         "Bold titles: auto (on a terminal, unless NO_COLOR is set), always, never")
+  Options(app)
+      .calling<std::string>(
+          "--color WHEN", [known](const std::string& when) { render::set_colour(known.at(when)); },
+          "Bold titles: auto (on a terminal, unless NO_COLOR is set), always, never")
       ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
@@ -134,7 +87,7 @@ const Group kGroups[] = {
     {"Clusters", {add_submit, add_status, add_merge}},
     {"Program", {add_doctor, add_completion}}};
 
-/// What is wrong with the command, before its options are looked at; empty if nothing is.
+/// Error in the name of the command, before its options are looked at; empty if none.
 std::string unknown_command(CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {
@@ -244,17 +197,12 @@ int run_command_line(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a run failed or a check failed, "
       "130/143 interrupted.");
   std::function<int()> action;
-  for (const Group& group : kGroups)
-    for (AddCommand* const add : group.commands) {
-      add(app, action);
-      app.get_subcommands(nullptr).back()->group(group.name);
-    }
-  app.add_subcommand("help", "Print this help, or that of a command: help records scale")
-      ->group("Program")
-      ->add_flag("--man")
-      ->description("Print the manual page gurney(1)");
-  describe_commands(app);
-  name_values(app);
+  Commands commands(app, action);
+  for (const Group& group : kGroups) {
+    commands.set_title(group.name);
+    for (AddCommand* const add : group.commands) add(commands);
+  }
+  add_help(commands);
   try {
     return flushed(parse_and_run(app, action, argc, argv));
   } catch (const Error& error) {

@@ -1,16 +1,117 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
-
-namespace CLI {
-class App;
-}
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace gurney::cli {
 
-/// Each adds one command to the program, or to `gurney records`. Where the command is chosen,
-/// `action` is set to what it does, which returns the exit code and throws Error for bad input.
-using AddCommand = void(CLI::App& app, std::function<int()>& action);
+/// Declares the options and arguments of one command, each once: the parser, the help, the manual page
+/// and the completion of shells know them from here.
+class Options {
+ public:
+  explicit Options(CLI::App& command) : command_(command) {}
+
+  /// @param names  "JOB" of an argument, "-j,--threads" of an option; a name of its value follows
+  ///               unless NUMBER or NAME fits, as in "-o,--output FILE". An option of bool is a flag.
+  template <class T>
+  CLI::Option* operator()(const std::string& names, T& value, const std::string& help) {
+    if constexpr (std::is_same_v<T, bool>)
+      return command_.add_flag(names, value, help);
+    else
+      return named(command_.add_option(only_names(names), value, help), names, is_number(value));
+  }
+
+  /// An option whose value is handed to `take`.
+  template <class T>
+  CLI::Option* calling(const std::string& names, std::function<void(const T&)> take,
+                       const std::string& help) {
+    CLI::Option* const option =
+        command_.add_option_function<T>(only_names(names), std::move(take), help);
+    return named(option, names, std::is_arithmetic_v<T>);
+  }
+
+  template <class T>
+  CLI::Option* required(const std::string& names, T& value, const std::string& help) {
+    return (*this)(names, value, help)->required();
+  }
+
+  /// An option for several values that is repeated for each, so that arguments may follow.
+  template <class T>
+  CLI::Option* single(const std::string& names, T& value, const std::string& help) {
+    return (*this)(names, value, help)->allow_extra_args(false);
+  }
+
+  CLI::Option* threads(int& threads, const std::string& help) {
+    return (*this)("-j,--threads", threads, help)->check(CLI::Range(1, 4096));
+  }
+
+  const CLI::App& program() const { return *command_.get_parent(); }
+
+ private:
+  static std::string only_names(const std::string& names) {
+    return names.substr(0, names.find(' '));
+  }
+  static CLI::Option* named(CLI::Option* option, const std::string& names, bool number);
+  template <class T>
+  static constexpr bool is_number(const T&) {
+    return std::is_arithmetic_v<T>;
+  }
+  template <class T>
+  static constexpr bool is_number(const std::vector<T>&) {
+    return std::is_arithmetic_v<T>;
+  }
+  template <class T>
+  static constexpr bool is_number(const std::optional<T>&) {
+    return std::is_arithmetic_v<T>;
+  }
+
+  CLI::App& command_;
+};
+
+struct CommandText {
+  const char *name, *description, *examples;  ///< examples: one a line
+};
+
+/// The commands below the program, or below a command such as `gurney records`.
+class Commands {
+ public:
+  /// @param action  set to what the chosen command does, which returns the exit code and throws Error
+  ///                for bad input
+  Commands(CLI::App& app, std::function<int()>& action) : app_(app), action_(action) {}
+
+  /// Adds a command that runs with the values of its options.
+  template <class Values>
+  void add(const CommandText& text, int (*run)(const Values&), void (*declare)(Options&, Values&)) {
+    CLI::App& command = begin(text);
+    auto values = std::make_shared<Values>();
+    Options options(command);
+    declare(options, *values);
+    command.callback(
+        [values, run, &action = action_] { action = [values, run] { return run(*values); }; });
+  }
+
+  /// Adds a command that has commands below it.
+  Commands below(const CommandText& text);
+
+  /// Title in the help under which the commands stand that are added next.
+  void set_title(const std::string& title) { title_ = title; }
+
+ private:
+  CLI::App& begin(const CommandText& text);
+
+  CLI::App& app_;
+  std::function<int()>& action_;
+  std::string title_ = "Commands";
+};
+
+/// Each adds one command.
+using AddCommand = void(Commands& commands);
 
 AddCommand add_calibrate;    ///< caster constants from pull and impact tests
 AddCommand add_check;        ///< reads a job with all it names and prints what would run
@@ -29,7 +130,9 @@ AddCommand add_new;          ///< files to begin with
 AddCommand add_plot;         ///< figures of a results file
 AddCommand add_pulling;      ///< simulated pulling tests and their figures
 AddCommand add_records;      ///< and its commands
+AddCommand add_replay;       ///< one run of a study with full output
 AddCommand add_report;       ///< a results file as one HTML page
+AddCommand add_run;          ///< a single run or a study
 AddCommand add_sensitivity;  ///< of a demand to the uncertain parameters
 AddCommand add_show;         ///< what a results file holds
 AddCommand add_status;       ///< of shards while they run

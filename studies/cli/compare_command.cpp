@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "engine/base/error.h"
-#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/print.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/fragility_figures.h"
 #include "studies/report/comparison_report.h"
 
@@ -118,26 +114,25 @@ int compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<CompareOptions>();
-  CompareOptions& options = *shared;
-  CLI::App* const command = app.add_subcommand("compare", "Compare configurations pairwise");
-  command->add_option("A", options.a, "The results file of a study")->required();
-  command->add_option("B", options.b, "A second results file (default: two configurations of A)");
-  command
-      ->add_option("--configuration,--configurations", options.configurations,
-                   "Configurations: one for both files, or two, separated by a comma")
-      ->allow_extra_args(false);
-  command->add_option("--demand", options.demands, "Demands (default: all non-negative demands)")
-      ->allow_extra_args(false);
-  command->add_option("--measure", options.measure,
-                      "Intensity measure of the curves (default: the studies' own)");
-  add_limit_state_options(*command, options.assessed_by);
-  add_figure_option(*command, options.figure, "Draw the fragility curves");
-  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  add_units_option(*command, options.units);
-  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
-  command->callback([shared, &action] { action = [shared] { return compare(*shared); }; });
+void add_compare(Commands& commands) {
+  commands.add<CompareOptions>(
+      {"compare", "Compare configurations pairwise",
+       "gurney compare ventilator.h5 --configurations off,on\n"
+       "gurney compare first.h5 second.h5"},
+      compare, [](Options& add, CompareOptions& options) {
+        add.required("A", options.a, "The results file of a study");
+        add("B", options.b, "A second results file (default: two configurations of A)");
+        add.single("--configuration,--configurations", options.configurations,
+                   "Configurations: one for both files, or two, separated by a comma");
+        add.single("--demand", options.demands, "Demands (default: all non-negative demands)");
+        add("--measure MEASURE", options.measure,
+            "Intensity measure of the curves (default: the studies' own)");
+        add_limit_state_options(add, options.assessed_by);
+        add_figure_option(add, options.figure, "Draw the fragility curves");
+        add("--overwrite", options.overwrite, "Replace a figure that exists");
+        add_units_option(add, options.units);
+        add("--json", options.json, "Print JSON, in SI units or those of --units");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,12 +1,9 @@
-#include <CLI/CLI.hpp>
-#include <memory>
 
 #include "engine/base/parallel.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/job_argument.h"
-#include "studies/cli/print.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/verification_figures.h"
 #include "studies/report/convergence_report.h"
 
@@ -38,25 +35,23 @@ int converge_command(const ConvergeOptions& options) {
 
 }  // namespace
 
-void add_converge(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<ConvergeOptions>();
-  ConvergeOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("converge", "Time-step, solver and stiffness convergence of a job");
-  command->add_option("JOB", options.job, "The job file, of one run or of a study")->required();
-  command->add_option("--runs", options.runs, "Number of sampled runs of a study (default: 20)")
-      ->check(CLI::Range(1, 1000000));
-  command
-      ->add_option("--tolerance-percent", options.tolerance_percent,
-                   "Relative change regarded as converged [%] (default: 2)")
-      ->check(CLI::Range(1e-6, 100.0));
-  command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
-      ->check(CLI::Range(1, 4096));
-  add_figure_option(*command, options.figure, "Draw the changes with the time step");
-  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  add_units_option(*command, options.units, "m; of JSON si");
-  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
-  command->callback([shared, &action] { action = [shared] { return converge_command(*shared); }; });
+void add_converge(Commands& commands) {
+  commands.add<ConvergeOptions>(
+      {"converge", "Time-step, solver and stiffness convergence of a job",
+       "gurney converge studies/jobs/pulling_test.toml --figure converge.svg"},
+      converge_command, [](Options& add, ConvergeOptions& options) {
+        add.required("JOB", options.job, "The job file, of one run or of a study");
+        add("--runs", options.runs, "Number of sampled runs of a study (default: 20)")
+            ->check(CLI::Range(1, 1000000));
+        add("--tolerance-percent", options.tolerance_percent,
+            "Relative change regarded as converged [%] (default: 2)")
+            ->check(CLI::Range(1e-6, 100.0));
+        add.threads(options.threads, "Threads (default: all hardware threads)");
+        add_figure_option(add, options.figure, "Draw the changes with the time step");
+        add("--overwrite", options.overwrite, "Replace a figure that exists");
+        add_units_option(add, options.units, "m; of JSON si");
+        add("--json", options.json, "Print JSON, in SI units or those of --units");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/printable.h"
@@ -35,7 +33,7 @@ void print_json(const std::vector<Finding>& findings) {
   fmt::print("{}\n", nlohmann::ordered_json{{"findings", list}}.dump(2));
 }
 
-int examine(bool json) {
+int examine(const bool& json) {
   const std::vector<Finding> findings = doctor::examination();
   json ? print_json(findings) : print_text(findings);
   const auto problems = std::ranges::count(findings, Finding::State::kProblem, &Finding::state),
@@ -46,12 +44,11 @@ int examine(bool json) {
 
 }  // namespace
 
-void add_doctor(CLI::App& app, std::function<int()>& action) {
-  auto json = std::make_shared<bool>(false);
-  CLI::App* const command =
-      app.add_subcommand("doctor", "Report whether the program works on this machine");
-  command->add_flag("--json", *json, "Print JSON");
-  command->callback([json, &action] { action = [json] { return examine(*json); }; });
+void add_doctor(Commands& commands) {
+  commands.add<bool>({"doctor", "Report whether the program works on this machine",
+                      "gurney doctor\n"
+                      "gurney doctor --json"},
+                     examine, [](Options& add, bool& json) { add("--json", json, "Print JSON"); });
 }
 
 }  // namespace gurney::cli

@@ -1,30 +1,33 @@
-#include <CLI/CLI.hpp>
-#include <memory>
+#include "studies/cli/equipment_command.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/equipment_check.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/item_file.h"
-#include "studies/cli/print.h"
+#include "studies/cli/json_errors.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/equipment_figure.h"
-#include "studies/report/equipment_list.h"
 #include "studies/report/equipment_report.h"
 
 namespace gurney::cli {
 namespace {
 
-struct ShowOptions {
+struct ShownItem {
   std::string item, floor, brakes;
   FigureFile figure;
   std::vector<std::string> variants;
   bool json = false, assumptions = false, overwrite = false;
 };
 
-equipment::ItemOptions item_options(const ShowOptions& options,
+equipment::ItemOptions item_options(const ShownItem& options,
                                     const equipment::ItemDescription& item) {
   equipment::ItemOptions result;
   if (!options.floor.empty())
@@ -39,7 +42,7 @@ equipment::ItemOptions item_options(const ShowOptions& options,
   return result;
 }
 
-int show(const ShowOptions& options) {
+int show(const ShownItem& options) {
   options.figure.check(options.overwrite);
   const std::string file = item_file(options.item);
   const equipment::ItemDescription item =
@@ -58,65 +61,91 @@ int show(const ShowOptions& options) {
   return 0;
 }
 
-struct CheckOptions {
+struct EquipmentFiles {
   std::vector<std::string> files;
   bool json = false;
 };
 
-void add_list(CLI::App& equipment, std::function<int()>& action) {
-  auto json = std::make_shared<bool>(false);
-  CLI::App* const command =
-      equipment.add_subcommand("ls", "List items, casters, floor coverings, rooms and tethers");
-  command->add_flag("--json", *json, "Print JSON, in SI units");
-  command->callback([json, &action] {
-    action = [json] {
-      print_findings(report::equipment_list(), *json);
-      return 0;
-    };
-  });
+int list(const bool& json) {
+  print_findings(report::equipment_list(), json);
+  return 0;
 }
 
-void add_equipment_show(CLI::App& equipment, std::function<int()>& action) {
-  auto options = std::make_shared<ShowOptions>();
-  CLI::App* const command = equipment.add_subcommand(
-      "show", "Mass, inertia, support, tilt, wheel loads and resistance of an item");
-  command->add_option("ITEM", options->item, "A name of the catalogue, or a .toml file")
-      ->required();
-  command->add_option("--variant", options->variants, "A variant of the item; several in order");
-  command->add_option("--covering", options->floor, "A floor covering (default: smooth vinyl)");
-  command->add_option("--floor", options->floor, "The earlier name of --covering")->group("");
-  command
-      ->add_option("--brakes", options->brakes,
-                   "on: all brakes applied, off: none (default: as in the file)")
-      ->check(CLI::IsMember({"on", "off"}));
-  command->add_flag("--assumptions", options->assumptions,
-                    "List every parameter in use without a source");
-  add_figure_option(*command, options->figure, "A figure to write: plan and two sides");
-  command->add_flag("--json", options->json, "Print JSON, in SI units");
-  command->add_flag("--overwrite", options->overwrite, "Replace a figure that exists");
-  command->callback([options, &action] { action = [options] { return show(*options); }; });
-}
+int check(const EquipmentFiles& options) { return check_equipment(options.files, options.json); }
 
-void add_equipment_check(CLI::App& equipment, std::function<int()>& action) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* const command = equipment.add_subcommand(
-      "check", "Validate files of items, casters, floor coverings, rooms and tethers");
-  command->add_option("FILE", options->files, "Files (docs/formats/equipment_file.md)")->required();
-  command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &action] {
-    action = [options] { return check_equipment(options->files, options->json); };
-  });
+const char* noun(equipment::DataKind kind) {
+  switch (kind) {
+    case equipment::DataKind::kItem:
+      return "item";
+    case equipment::DataKind::kCaster:
+      return "caster";
+    case equipment::DataKind::kFloor:
+      return "floor covering";
+    case equipment::DataKind::kRoom:
+      return "room";
+    case equipment::DataKind::kTether:
+      return "kind of tether";
+    case equipment::DataKind::kBuilding:
+      break;
+  }
+  return "building";
 }
 
 }  // namespace
 
-void add_equipment(CLI::App& app, std::function<int()>& action) {
-  CLI::App* const equipment =
-      app.add_subcommand("equipment", "List, inspect and validate equipment");
-  equipment->require_subcommand(1);
-  add_list(*equipment, action);
-  add_equipment_show(*equipment, action);
-  add_equipment_check(*equipment, action);
+void add_equipment(Commands& commands) {
+  Commands equipment =
+      commands.below({"equipment", "List, inspect and validate equipment", "gurney equipment ls"});
+  equipment.add<bool>(
+      {"ls", "List items, casters, floor coverings, rooms and tethers",
+       "gurney equipment ls\ngurney equipment ls --json"},
+      list, [](Options& add, bool& json) { add("--json", json, "Print JSON, in SI units"); });
+  equipment.add<ShownItem>(
+      {"show", "Mass, inertia, support, tilt, wheel loads and resistance of an item",
+       "gurney equipment show icu_bed --brakes on --figure bed.svg"},
+      show, [](Options& add, ShownItem& options) {
+        add.required("ITEM", options.item, "A name of the catalogue, or a .toml file");
+        add("--variant", options.variants, "A variant of the item; several in order");
+        add("--covering", options.floor, "A floor covering (default: smooth vinyl)");
+        add("--floor", options.floor, "The earlier name of --covering")->group("");
+        add("--brakes", options.brakes,
+            "on: all brakes applied, off: none (default: as in the file)")
+            ->check(CLI::IsMember({"on", "off"}));
+        add("--assumptions", options.assumptions, "List every parameter in use without a source");
+        add_figure_option(add, options.figure, "A figure to write: plan and two sides");
+        add("--json", options.json, "Print JSON, in SI units");
+        add("--overwrite", options.overwrite, "Replace a figure that exists");
+      });
+  equipment.add<EquipmentFiles>(
+      {"check", "Validate files of items, casters, floor coverings, rooms and tethers",
+       "gurney equipment check my_cart.toml my_caster.toml"},
+      check, [](Options& add, EquipmentFiles& options) {
+        add.required("FILE", options.files, "Files (docs/formats/equipment_file.md)");
+        add("--json", options.json, "Print JSON");
+      });
+}
+
+int check_equipment(const std::vector<std::string>& files, bool json) {
+  int code = 0;
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const std::string& file : files) {
+    try {
+      const equipment::CheckedFile checked = equipment::check_data_file(file);
+      results.push_back({{"file", file},
+                         {"kind", noun(checked.kind)},
+                         {"name", checked.name},
+                         {"warnings", checked.warnings}});
+      if (json) continue;
+      fmt::print("{}: {} '{}' is valid\n", file, noun(checked.kind), checked.name);
+      for (const std::string& warning : checked.warnings) fmt::print("  warning: {}\n", warning);
+    } catch (const Error& error) {
+      code = 1;
+      results.push_back({{"file", file}, {"errors", json_errors(error.what())}});
+      if (!json) print_error("{}\n", error.what());
+    }
+  }
+  if (json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));
+  return code;
 }
 
 }  // namespace gurney::cli

@@ -1,19 +1,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
-#include <memory>
 
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
-#include "studies/cli/case_again.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/explained_case.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/print.h"
-#include "studies/cli/standard_error.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
+#include "studies/cli/repeated_run.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/explanation_figure.h"
 #include "studies/report/explanation_report.h"
 
@@ -64,7 +60,7 @@ int explain(const ExplainOptions& options) {
   require(options.what_if || options.replicas == 0,
           "--replicas: are of the variants of --what-if, which is missing");
   options.figure.check(options.overwrite);
-  const CaseAgain again = case_again(options.file, options.run, options.job);
+  const RepeatedRun again = repeated_run(options.file, options.run, options.job);
   const explanation::Explanation found = explained(again, options.units).explanation;
   std::optional<explanation::WhatIf> what;
   if (options.what_if && !found.failed)
@@ -78,29 +74,27 @@ int explain(const ExplainOptions& options) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<ExplainOptions>();
-  ExplainOptions& options = *shared;
-  CLI::App* const command = app.add_subcommand("explain", "Explain what happened in a run and why");
-  command->add_option("FILE", options.file, "The results file of one run or of a study")
-      ->required();
-  command->add_option("--run", options.run, "The run of a study");
-  command->add_option("--job", options.job,
-                      "The job file (default: the path in the log beside the file)");
-  command->add_option("-o,--output", options.figure.path, "A figure (.svg, .pdf or .png)");
-  add_figure_style(*command, options.figure);
-  command->add_flag("--what-if", options.what_if,
-                    "Run variants of the case that might have prevented it");
-  command
-      ->add_option("--replicas", options.replicas,
-                   "Runs of each variant (default: 1, or 20 where the run is chaotic)")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
-      ->check(CLI::Range(1, 1024));
-  CLI::Option* const units = add_units_option(*command, options.units);
-  command->add_flag("--json", options.json, "Print JSON in SI units")->excludes(units);
-  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  command->callback([shared, &action] { action = [shared] { return explain(*shared); }; });
+void add_explain(Commands& commands) {
+  commands.add<ExplainOptions>(
+      {"explain", "Explain what happened in a run, why, and what would have prevented it",
+       "gurney explain shake.h5 -o why.svg\n"
+       "gurney explain ventilator.h5 --run 3 --what-if"},
+      explain, [](Options& add, ExplainOptions& options) {
+        add.required("FILE", options.file, "The results file of one run or of a study");
+        add("--run", options.run, "The run of a study");
+        add("--job FILE", options.job,
+            "The job file (default: the path in the log beside the file)");
+        add("-o,--output FILE", options.figure.path, "A figure (.svg, .pdf or .png)");
+        add_figure_style(add, options.figure);
+        add("--what-if", options.what_if, "Run variants of the case that might have prevented it");
+        add("--replicas", options.replicas,
+            "Runs of each variant (default: 1, or 20 where the run is chaotic)")
+            ->check(CLI::Range(1, 1000));
+        add.threads(options.threads, "Threads (default: all hardware threads)");
+        CLI::Option* const units = add_units_option(add, options.units);
+        add("--json", options.json, "Print JSON in SI units")->excludes(units);
+        add("--overwrite", options.overwrite, "Replace a figure that exists");
+      });
 }
 
 }  // namespace gurney::cli

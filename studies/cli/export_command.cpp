@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,14 +8,12 @@
 #include "engine/base/printable.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/analysis/overview.h"
-#include "studies/calibration/pulling/trials.h"
-#include "studies/cli/assessment_options.h"
+#include "studies/calibration/pulling/trial_job.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/item_file.h"
-#include "studies/cli/method_option.h"
-#include "studies/cli/new_folder.h"
-#include "studies/cli/standard_error.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
+#include "studies/cli/shared_options.h"
 #include "studies/exports/export.h"
 #include "studies/exports/item_bodies.h"
 #include "studies/playback/gltf.h"
@@ -108,9 +104,11 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
     return {};
   }
   const study::StudyData data(options.file, options.assessed_by);
-  if (options.format == "pelicun") return study::export_pelicun(data, options.choice, take);
-  if (options.format == "nrml") return study::export_nrml(data, options.choice, take);
-  study::export_responses(data, options.choice, take);
+  study::ExportChoice choice = options.choice;
+  choice.method = curve_method(options.method);
+  if (options.format == "pelicun") return study::export_pelicun(data, choice, take);
+  if (options.format == "nrml") return study::export_nrml(data, choice, take);
+  study::export_responses(data, choice, take);
   return {};
 }
 
@@ -139,51 +137,48 @@ int export_command(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<ExportOptions>();
-  ExportOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("export", "Export results and items to the formats of other programs");
-  command
-      ->add_option("FILE", options.file,
-                   "The results file; for mjcf and urdf an item: its name or .toml file; for job a "
-                   "file or folder of trials")
-      ->required();
-  command
-      ->add_option(
-          "--to", options.format,
-          "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
-          "nrml: fragility for OpenQuake; response-csv: demands run by run; trials: pulling "
-          "tests as files of trials, marked synthetic; xdmf: one run's moving shapes for ParaView; "
-          "gltf: the same, animated, for Blender and others; mjcf, urdf: an item for MuJoCo, for "
-          "ROS and others; job: measured pulls as a job under their measured force")
-      ->required()
-      ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf", "gltf",
-                             "mjcf", "urdf", "job"}));
-  command->add_option("-o,--output", options.folder,
-                      "Folder for the files (default: FILE_FORMAT beside FILE)");
-  command->add_option("--configuration", options.choice.configuration,
-                      "This configuration only (default: all)");
-  command->add_option("--measure", options.choice.measure,
-                      "Intensity measure of the curves (default: the study's own)");
-  add_limit_state_options(*command, options.assessed_by);
-  command->add_option("--limit", options.choice.limit, "This limit state only (default: all)");
-  add_units_option(*command, options.units, "SI; of csv alone");
-  command->add_flag("--separate", options.choice.separate,
-                    "pelicun, nrml: a component for each limit state; by default those of one "
-                    "quantity are the ordered damage states of one component");
-  add_method_option(*command, options.method);
-  command->add_flag("--discrete", options.choice.discrete,
-                    "nrml: probabilities at 100 intensities, not parameters");
-  command->add_option("--variant", options.variants,
-                      "mjcf, urdf: a variant of the item; several in order");
-  command->add_option("--noise", options.noise,
-                      "trials: add synthetic noise of the instruments, of this seed");
-  command->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  command->callback([shared, &action] {
-    shared->choice.method = curve_method(shared->method);
-    action = [shared] { return export_command(*shared); };
-  });
+void add_export(Commands& commands) {
+  commands.add<ExportOptions>(
+      {"export", "Export results and items to the formats of other programs",
+       "gurney export ventilator.h5 --to csv\n"
+       "gurney export icu_ventilator --to mjcf\n"
+       "gurney export ventilator.h5 --to pelicun -o pelicun"},
+      export_command, [](Options& add, ExportOptions& options) {
+        add.required(
+            "FILE", options.file,
+            "The results file; for mjcf and urdf an item: its name or .toml file; for job a "
+            "file or folder of trials");
+        add.required(
+               "--to FORMAT", options.format,
+               "csv: every table; pelicun: fragility for the Damage and Loss Model Library; "
+               "nrml: fragility for OpenQuake; response-csv: demands run by run; trials: pulling "
+               "tests as files of trials, marked synthetic; xdmf: one run's moving shapes for "
+               "ParaView; "
+               "gltf: the same, animated, for Blender and others; mjcf, urdf: an item for MuJoCo, "
+               "for "
+               "ROS and others; job: measured pulls as a job under their measured force")
+            ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf",
+                                   "gltf", "mjcf", "urdf", "job"}));
+        add("-o,--output FOLDER", options.folder,
+            "Folder for the files (default: FILE_FORMAT beside FILE)");
+        add("--configuration", options.choice.configuration,
+            "This configuration only (default: all)");
+        add("--measure MEASURE", options.choice.measure,
+            "Intensity measure of the curves (default: the study's own)");
+        add_limit_state_options(add, options.assessed_by);
+        add("--limit", options.choice.limit, "This limit state only (default: all)");
+        add_units_option(add, options.units, "SI; of csv alone");
+        add("--separate", options.choice.separate,
+            "pelicun, nrml: a component for each limit state; by default those of one "
+            "quantity are the ordered damage states of one component");
+        add_method_option(add, options.method);
+        add("--discrete", options.choice.discrete,
+            "nrml: probabilities at 100 intensities, not parameters");
+        add("--variant", options.variants, "mjcf, urdf: a variant of the item; several in order");
+        add("--noise", options.noise,
+            "trials: add synthetic noise of the instruments, of this seed");
+        add("--overwrite", options.overwrite, "Replace files that exist");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,21 +1,15 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
-#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/method_option.h"
-#include "studies/cli/print.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/fragility_figures.h"
 #include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/fragility_report.h"
-#include "studies/report/vector_report.h"
 
 namespace gurney::cli {
 namespace {
@@ -93,27 +87,30 @@ int fragility(const FragilityOptions& options) {
 
 }  // namespace
 
-void add_fragility(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<FragilityOptions>();
-  FragilityOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("fragility", "Fit fragility functions and confidence bands");
-  command->add_option("FILE", options.file, "The results file of the study")->required();
-  add_limit_state_options(*command, options.assessed_by);
-  command->add_option("--limit", options.states, "Only limit states of this name (default: all)");
-  command->add_option("--configuration,--configurations", options.configurations,
-                      "Configurations (default: all)");
-  command->add_option("--record", options.records, "Only runs of these records (default: all)");
-  command->add_option("--measure", options.measure, "Intensity measure (default: the study's own)");
-  CLI::Option* const second = command->add_option(
-      "--and", options.second, "A second measure: P given both, and whether it adds to the first");
-  add_method_option(*command, options.method)->excludes(second);
-  add_hazard_option(*command, options.assessed_by)->excludes(second);
-  add_figure_option(*command, options.figure, "Draw the curves");
-  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  add_units_option(*command, options.units);
-  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
-  command->callback([shared, &action] { action = [shared] { return fragility(*shared); }; });
+void add_fragility(Commands& commands) {
+  commands.add<FragilityOptions>(
+      {"fragility", "Fit fragility functions and confidence bands",
+       "gurney fragility ventilator.h5 --figure ventilator.svg\n"
+       "gurney fragility ventilator.h5 --limit overturned --measure \"Sa(1) RotD50\"\n"
+       "gurney fragility ventilator.h5 --limit-state \"peak_displacement > 0.2 m\""},
+      fragility, [](Options& add, FragilityOptions& options) {
+        add.required("FILE", options.file, "The results file of the study");
+        add_limit_state_options(add, options.assessed_by);
+        add("--limit", options.states, "Only limit states of this name (default: all)");
+        add("--configuration,--configurations", options.configurations,
+            "Configurations (default: all)");
+        add("--record", options.records, "Only runs of these records (default: all)");
+        add("--measure MEASURE", options.measure, "Intensity measure (default: the study's own)");
+        CLI::Option* const second =
+            add("--and", options.second,
+                "A second measure: P given both, and whether it adds to the first");
+        add_method_option(add, options.method)->excludes(second);
+        add_hazard_option(add, options.assessed_by)->excludes(second);
+        add_figure_option(add, options.figure, "Draw the curves");
+        add("--overwrite", options.overwrite, "Replace a figure that exists");
+        add_units_option(add, options.units);
+        add("--json", options.json, "Print JSON, in SI units or those of --units");
+      });
 }
 
 }  // namespace gurney::cli

@@ -12,7 +12,7 @@ namespace gurney::cli {
 /// @throws Error for a word after the first without `=`.
 std::string inline_table(const std::string& first_key, const std::vector<std::string>& words);
 
-/// What a document made of an option's text complains of, in terms of the option as it was typed:
+/// Errors of a document made of an option's text, in terms of the option as it was typed:
 /// `--step:1:49: processing[0].corner_hz = -1: must be ...` becomes
 /// `--step "high_pass corner_hz=-1": corner_hz = -1: must be ...`.
 /// @param path  of the table in the document, such as "processing[0]"

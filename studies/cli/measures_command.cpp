@@ -1,13 +1,8 @@
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <memory>
 
 #include "engine/base/error.h"
-#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/print.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/shared_options.h"
 #include "studies/limit_states/limit_state_reader.h"
 #include "studies/report/measure_report.h"
 
@@ -46,23 +41,20 @@ int measures(const MeasuresOptions& options) {
 
 }  // namespace
 
-void add_measures(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<MeasuresOptions>();
-  MeasuresOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("measures", "Compare intensity measures: efficiency and sufficiency");
-  command->add_option("FILE", options.file, "The results file of the study")->required();
-  add_limit_state_options(*command, options.assessed_by);
-  command
-      ->add_option(
-          "--limit", options.states,
-          "Limit states whose demand is predicted (default: all with a demand above a limit)")
-      ->allow_extra_args(false);
-  command->add_option("--configuration", options.configurations, "Configurations (default: all)")
-      ->allow_extra_args(false);
-  add_units_option(*command, options.units);
-  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
-  command->callback([shared, &action] { action = [shared] { return measures(*shared); }; });
+void add_measures(Commands& commands) {
+  commands.add<MeasuresOptions>(
+      {"measures", "Compare intensity measures: efficiency and sufficiency",
+       "gurney measures ventilator.h5"},
+      measures, [](Options& add, MeasuresOptions& options) {
+        add.required("FILE", options.file, "The results file of the study");
+        add_limit_state_options(add, options.assessed_by);
+        add.single(
+            "--limit", options.states,
+            "Limit states whose demand is predicted (default: all with a demand above a limit)");
+        add.single("--configuration", options.configurations, "Configurations (default: all)");
+        add_units_option(add, options.units);
+        add("--json", options.json, "Print JSON, in SI units or those of --units");
+      });
 }
 
 }  // namespace gurney::cli

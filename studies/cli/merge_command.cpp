@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/base/parallel.h"
+#include "engine/base/shell_word.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/job_of_log.h"
-#include "studies/cli/standard_error.h"
+#include "studies/cli/process.h"
+#include "studies/cli/repeated_run.h"
 #include "studies/cli/study_output.h"
 #include "studies/results/output_files.h"
 #include "studies/run/shard_folders.h"
@@ -53,12 +52,15 @@ std::string job_of(const MergeOptions& options, const fs::path& folder) {
 }
 
 /// The commands that complete the shards; empty if these are of several counts.
-std::string repair(const std::vector<study::Shard>& shards, const std::string& job,
-                   const fs::path& results) {
+std::string repair(const std::vector<study::ShardFolders::Incomplete>& shards,
+                   const std::string& job, const fs::path& results) {
+  constexpr std::size_t kShown = 3;
+  std::size_t listed = 0;
   std::string text, numbers;
-  for (const study::Shard& shard : shards) {
-    numbers += (numbers.empty() ? "" : ",") + std::to_string(shard.number);
-    if (&shard - shards.data() < 3)
+  for (const auto& [shard, missing] : shards) {
+    if (!numbers.empty()) numbers += ",";
+    numbers += std::to_string(shard.number);
+    if (++listed <= kShown)
       text += fmt::format("\n  gurney run {} -o {} --resume --shard {}/{}", shell_word(job),
                           shell_word(results.string()), shard.number, shard.count);
   }
@@ -101,17 +103,19 @@ int merge_command(const MergeOptions& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<MergeOptions>();
-  CLI::App* const merge = app.add_subcommand("merge", "");
-  merge->add_option("FOLDER", options->folder, "The folder of the shards: FILE.h5.shards")
-      ->required();
-  merge->add_option("-o,--output", options->output,
-                    "The results file (default: FILE.h5 of the folder's name)");
-  merge->add_option("--job", options->job, "The job file (default: where the shards found it)");
-  merge->add_flag("--overwrite", options->overwrite, "Replace files that exist");
-  merge->add_flag("--json", options->json, "Print the summary as JSON");
-  merge->callback([options, &action] { action = [options] { return merge_command(*options); }; });
+void add_merge(Commands& commands) {
+  commands.add<MergeOptions>(
+      {"merge", "Merge the shards of a study into its results file",
+       "gurney merge ventilator.h5.shards\n"
+       "gurney merge ventilator.h5.shards --job ventilator.toml -o all.h5"},
+      merge_command, [](Options& add, MergeOptions& options) {
+        add.required("FOLDER", options.folder, "The folder of the shards: FILE.h5.shards");
+        add("-o,--output FILE", options.output,
+            "The results file (default: FILE.h5 of the folder's name)");
+        add("--job FILE", options.job, "The job file (default: where the shards found it)");
+        add("--overwrite", options.overwrite, "Replace files that exist");
+        add("--json", options.json, "Print the summary as JSON");
+      });
 }
 
 }  // namespace gurney::cli

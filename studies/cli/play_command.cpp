@@ -1,18 +1,14 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 
 #include "engine/base/error.h"
 #include "engine/run/run.h"
-#include "studies/analysis/run_levels.h"
-#include "studies/cli/case_again.h"
+#include "studies/analysis/demand_runs.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/records_output.h"
-#include "studies/cli/scratch_folder.h"
-#include "studies/cli/study_case.h"
+#include "studies/cli/output.h"
+#include "studies/cli/repeated_run.h"
 #include "studies/playback/ghosts.h"
 #include "studies/playback/page.h"
 #include "studies/results/output_files.h"
@@ -112,30 +108,27 @@ int play(const PlayOptions& options) {
 
 }  // namespace
 
-void add_play(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<PlayOptions>();
-  PlayOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("play", "Write a page that plays a run back in three dimensions");
-  command->add_option("FILE", options.file, "The results file of one run or of a study")
-      ->required();
-  command
-      ->add_option("--run", options.runs,
-                   "The run of a study, which is run again; several play side by side")
-      ->allow_extra_args(false);
-  CLI::Option* const all =
-      command->add_flag("--ghosts", options.all_ghosts,
-                        "Show all other runs of its configuration and level as ghosts");
-  command
-      ->add_option("--ghost", options.ghosts,
+void add_play(Commands& commands) {
+  commands.add<PlayOptions>(
+      {"play", "Write a page that plays a run back in three dimensions",
+       "gurney play shake.h5 -o shake.html\n"
+       "gurney play ventilator.h5 --run 3 --run 7 -o both.html\n"
+       "gurney play ventilator.h5 --run 3 --ghosts -o suite.html"},
+      play, [](Options& add, PlayOptions& options) {
+        add.required("FILE", options.file, "The results file of one run or of a study");
+        add.single("--run", options.runs,
+                   "The run of a study, which is run again; several play side by side");
+        CLI::Option* const all =
+            add("--ghosts", options.all_ghosts,
+                "Show all other runs of its configuration and level as ghosts");
+        add.single("--ghost", options.ghosts,
                    "Another run of its configuration to show as a ghost; repeatable")
-      ->allow_extra_args(false)
-      ->excludes(all);
-  command->add_option("--job", options.job,
-                      "The study's job file (default: the path in the study's log)");
-  command->add_option("-o,--output", options.output, "The page (.html)")->required();
-  command->add_flag("--overwrite", options.overwrite, "Replace a page that exists");
-  command->callback([shared, &action] { action = [shared] { return play(*shared); }; });
+            ->excludes(all);
+        add("--job FILE", options.job,
+            "The study's job file (default: the path in the study's log)");
+        add.required("-o,--output FILE", options.output, "The page (.html)");
+        add("--overwrite", options.overwrite, "Replace a page that exists");
+      });
 }
 
 }  // namespace gurney::cli

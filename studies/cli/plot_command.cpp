@@ -1,18 +1,255 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
-#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/base/error.h"
+#include "engine/config/nearest_name.h"
+#include "studies/analysis/configuration_view.h"
+#include "studies/analysis/overview.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/method_option.h"
-#include "studies/cli/plot_kinds.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/repeated_run.h"
+#include "studies/cli/shared_options.h"
+#include "studies/figures/chart.h"
+#include "studies/figures/collision_figure.h"
+#include "studies/figures/demand_figures.h"
+#include "studies/figures/fragility_figures.h"
+#include "studies/figures/history_figure.h"
+#include "studies/figures/sensitivity_figures.h"
+#include "studies/figures/spectra_figure.h"
+#include "studies/figures/trajectory_figure.h"
+#include "studies/limit_states/limit_state_reader.h"
+#include "studies/page/job_scene.h"
 
 namespace gurney::cli {
 namespace {
+
+/// Request to `gurney plot`.
+struct PlotRequest {
+  std::string file, kind;
+  std::vector<std::string> what;  ///< histories, demands, limit states; empty: the usual ones
+  std::vector<std::string> configurations;
+  std::string measure, method;
+  std::optional<std::size_t> run;
+  std::optional<std::size_t> level;  ///< its index
+  std::string job;                   ///< path of the study's job; empty: that in its log
+};
+
+std::string history(const PlotRequest& request, const figures::PlotPage& page) {
+  const study::StoredHistories stored(request.file);
+  const std::vector<std::size_t> runs = stored.runs();
+  const std::size_t run = request.run.value_or(runs.empty() ? 0 : runs.front());
+  std::vector<std::string> names = request.what;
+  if (names.empty()) names = {"displacement"};
+  std::vector<study::StoredHistory> histories;
+  for (const std::string& name : names) histories.push_back(stored.history(name, run));
+  const std::string note = study::is_study_file(request.file) ? fmt::format("run {}", run) : "";
+  return history_figure(page, stored.title(), note, histories);
+}
+
+std::string trajectories(const PlotRequest& request, const figures::PlotPage& page) {
+  return figures::trajectory_figure(page, request.file);
+}
+
+std::string fragility(const PlotRequest& request, const figures::PlotPage& page) {
+  const study::StudyData data(request.file, {}, {}, page.units);
+  std::vector<std::size_t> states;
+  for (const std::string& name : request.what)
+    states.push_back(study::index_of(data.limit_states(), name));
+  for (std::size_t i = 0; request.what.empty() && i < data.limit_states().size(); ++i)
+    states.push_back(i);
+  std::vector<study::FragilityResult> results;
+  for (const std::size_t state : states)
+    for (const std::size_t configuration :
+         study::wanted_configurations(data, request.configurations))
+      results.push_back(study::fragility_of(data, {.state = state,
+                                                   .configuration = configuration,
+                                                   .measure = request.measure,
+                                                   .method = curve_method(request.method)}));
+  return figures::fragility_figure(data, results, page);
+}
+
+/// A figure of demands.
+template <auto Draw>
+std::string of_demands(const PlotRequest& request, const figures::PlotPage& page) {
+  const study::StudyData data(request.file, {}, {}, page.units);
+  std::vector<std::string> names = request.what;
+  if (names.empty()) names = {"peak_displacement"};
+  std::vector<study::DemandRuns> all;
+  for (const std::string& name : names)
+    for (study::DemandRuns& each :
+         study::demand_runs(data, study::wanted_configurations(data, request.configurations), name,
+                            data.measure(request.measure)))
+      all.push_back(std::move(each));
+  return Draw(page, data.file().text_attribute("title"), all);
+}
+
+/// A limit state, or a demand.
+study::SensitivityRequest sensitivity_request(const study::StudyData& data,
+                                              const std::string& name) {
+  for (const study::LimitState& state : data.limit_states())
+    if (state.name == name) return {.demand = "", .limit = name, .level = {}};
+  return {.demand = name, .limit = "", .level = {}};
+}
+
+std::string tornado(const PlotRequest& request, const figures::PlotPage& page) {
+  const study::StudyData data(request.file, {}, {}, page.units);
+  std::vector<std::string> names = request.what;
+  if (names.empty()) names = {"peak_displacement"};
+  std::vector<report::SensitivityReport> reports;
+  for (const std::string& name : names)
+    for (const std::size_t configuration :
+         study::wanted_configurations(data, request.configurations)) {
+      study::SensitivityRequest output = sensitivity_request(data, name);
+      output.level = request.level;
+      reports.push_back({data.configurations()[configuration],
+                         study::study_sensitivity({&data, configuration}, output), "", page.units});
+    }
+  return figures::tornado_figure(page, data.file().text_attribute("title"), reports);
+}
+
+std::string job_of(const PlotRequest& request) {
+  return request.job.empty() ? job_of_log(request.file) : request.job;
+}
+
+/// Those with what is asked for; by default all but the floor.
+std::vector<study::StoredImpact> wanted_impacts(const PlotRequest& request) {
+  std::vector<study::StoredImpact> all = study::stored_impacts(request.file);
+  const std::vector<std::string> known = study::hit_by_items(all);
+  for (const std::string& name : request.what)
+    require(std::ranges::find(known, name) != known.end(),
+            fmt::format("no item hit '{}'{}", name, config::suggestion(name, known)));
+  std::erase_if(all, [&](const study::StoredImpact& impact) {
+    return request.what.empty()
+               ? impact.other == "floor"
+               : std::ranges::find(request.what, impact.other) == request.what.end();
+  });
+  require(!all.empty(),
+          request.file + ": no item hit anything" + (known.empty() ? "" : " but the floor"));
+  return all;
+}
+
+std::string collisions(const PlotRequest& request, const figures::PlotPage& page) {
+  const std::vector<study::StoredImpact> impacts = wanted_impacts(request);
+  const std::string what = request.what.empty() ? "the room and other items"
+                                                : fmt::format("{}", fmt::join(request.what, ", "));
+  const std::string note =
+      "first points of contact with " + what + "; area of a circle: approach speed";
+  if (!study::is_study_file(request.file)) {
+    const study::Hdf5Reader file(request.file);
+    return figures::collision_figure(
+        page, file.text_attribute("title"), note,
+        {{"", page::scene_of_run(file, job_of(request)).scene, impacts, 1}});
+  }
+  const study::StudyData data(request.file, {}, {}, page.units);
+  std::vector<figures::CollisionMap> maps;
+  for (const std::size_t i : study::wanted_configurations(data, request.configurations))
+    maps.push_back({data.configurations()[i],
+                    page::scene_of_study(data.file(), job_of(request), i).scene,
+                    study::impacts_of_runs(impacts, data.runs_of(i)), data.runs_of(i).size()});
+  return figures::collision_figure(page, data.file().text_attribute("title"), note, maps);
+}
+
+std::string spectra(const PlotRequest& request, const figures::PlotPage& page) {
+  const study::StudyData data(request.file, {}, {}, page.units);
+  return figures::spectra_figure(
+      page, data.file().text_attribute("title"),
+      study::suite_spectra(
+          data, {.job = job_of(request),
+                 .level = request.level,
+                 .configurations = study::wanted_configurations(data, request.configurations)}),
+      request.what);
+}
+
+struct PlotKind {
+  const char *name, *what;
+  enum class Of { kHistories, kStudies, kImpacts } of;  ///< which files have it
+  std::string (*draw)(const PlotRequest&, const figures::PlotPage&);
+};
+
+using Of = PlotKind::Of;
+
+constexpr PlotKind kKinds[] = {
+    {"history", "histories of one run", Of::kHistories, history},
+    {"trajectories", "paths of the items seen from above", Of::kHistories, trajectories},
+    {"collisions", "impacts on the plan, by approach speed", Of::kImpacts, collisions},
+    {"fragility", "fragility curves of limit states", Of::kStudies, fragility},
+    {"ida", "IDA curves of a demand with 16, 50 and 84 % fractiles", Of::kStudies,
+     of_demands<figures::ida_figure>},
+    {"stripes", "demands at each intensity", Of::kStudies, of_demands<figures::stripes_figure>},
+    {"cloud", "demand over intensity with log-log regression", Of::kStudies,
+     of_demands<figures::cloud_figure>},
+    {"cdf", "distribution of a demand at each level", Of::kStudies,
+     of_demands<figures::distribution_figure>},
+    {"tornado", "means of a demand where an uncertain input is low or high", Of::kStudies, tornado},
+    {"spectra", "response spectra of the records and of the floor", Of::kStudies, spectra}};
+
+const PlotKind& kind_of(const PlotRequest& request) {
+  std::vector<std::string> names;
+  for (const PlotKind& kind : kKinds) {
+    if (request.kind == kind.name) return kind;
+    names.push_back(kind.name);
+  }
+  throw Error(
+      fmt::format("no figure '{}'{}", request.kind, config::suggestion(request.kind, names)));
+}
+
+std::string demand_names(const study::StudyData& data) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < data.configurations().size(); ++i)
+    for (const study::NamedDemand& demand : study::demands_of(data, i)) {
+      const std::string& column = demand.quantity.column;
+      const std::string name = demand.quantity.of == study::Quantity::Of::kItem
+                                   ? (demand.absolute ? "|" + column + "|" : column)
+                                   : demand.name;
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string list_of_study(const std::string& file) {
+  const study::StudyData data(file);
+  std::vector<std::string> states;
+  for (const auto& state : data.limit_states()) states.push_back(state.name);
+  return fmt::format(
+      "limit states (of fragility, tornado): {}\ndemands (of ida, stripes, cloud, cdf, tornado): "
+      "{}\n"
+      "intensity measures (--measure): {}\nconfigurations (--configuration): {}\n",
+      fmt::join(states, ", "), demand_names(data), fmt::join(data.measures(), ", "),
+      fmt::join(data.configurations(), "; "));
+}
+
+/// @throws Error unless the kind is one of those there are
+void check_kind(const PlotRequest& request) { kind_of(request); }
+
+/// The figure as SVG. @throws Error for what the file does not hold, with what it holds
+std::string plotted(const PlotRequest& request, const figures::PlotPage& page) {
+  const PlotKind& kind = kind_of(request);
+  require(
+      kind.of != Of::kStudies || study::is_study_file(request.file),
+      fmt::format("{}: is the file of one run; {} needs that of a study. It has: {}", request.file,
+                  kind.name, fmt::join(study::StoredHistories(request.file).names(), ", ")));
+  return kind.draw(request, page);
+}
+
+/// Plots that a file allows: a paragraph for each kind.
+std::string plot_list(const std::string& file) {
+  const study::StoredHistories stored(file);
+  const bool study = study::is_study_file(file), histories = !stored.names().empty();
+  std::string text;
+  for (const PlotKind& kind : kKinds)
+    if (kind.of == Of::kImpacts || (kind.of == Of::kStudies ? study : histories))
+      text += fmt::format("{:13} {}\n", kind.name, kind.what);
+  if (histories) {
+    text += fmt::format("\nhistories: {}\n", fmt::join(stored.names(), ", "));
+    if (study) text += fmt::format("runs with histories: {}\n", stored.runs().size());
+  }
+  if (study) text += "\n" + list_of_study(file);
+  return text;
+}
 
 struct PlotOptions {
   PlotRequest request;
@@ -50,7 +287,8 @@ figures::PlotPage page_of(PlotOptions& options) {
   return page;
 }
 
-int plot(PlotOptions options) {
+int plot(const PlotOptions& asked) {
+  PlotOptions options = asked;
   if (options.list) {
     fmt::print("{}", plot_list(options.request.file));
     return 0;
@@ -67,41 +305,41 @@ int plot(PlotOptions options) {
 
 }  // namespace
 
-void add_plot(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<PlotOptions>();
-  PlotOptions& options = *shared;
-  CLI::App* const command = app.add_subcommand("plot", "Plot what a results file holds");
-  command->add_option("FILE", options.request.file, "The results file of a study or of one run")
-      ->required();
-  command->add_option("KIND", options.request.kind,
-                      "history, trajectories, collisions, fragility, ida, stripes, cloud, cdf, "
-                      "tornado or spectra");
-  command->add_option("WHAT", options.request.what,
-                      "Histories, demands, limit states, what was hit, or which spectra "
-                      "(default: displacement, peak_displacement, all)");
-  command->add_flag("--list", options.list, "List what can be plotted from the file");
-  command->add_option("-o,--output", options.figure.path, "The figure (.svg, .pdf or .png)");
-  command->add_option("--run", options.request.run, "The run of a history (default: the first)");
-  command
-      ->add_option("--configuration", options.request.configurations,
-                   "Configurations (default: all)")
-      ->allow_extra_args(false);
-  command->add_option("--measure", options.request.measure,
-                      "Intensity measure (default: the study's own)");
-  add_method_option(*command, options.request.method);
-  command
-      ->add_option_function<std::size_t>(
-          "--level", [shared](std::size_t level) { shared->request.level = level - 1; },
-          "Of tornado and spectra: the N-th level, counted from 1 (default: that nearest to the "
-          "median; the highest)")
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--job", options.request.job,
-                      "The job file, of collisions and spectra (default: the path in the log)");
-  add_units_option(*command, options.units);
-  add_figure_style(*command, options.figure);
-  command->add_option("--font-size", options.font_size, "Size of the labels [pt] (default: 8.25)");
-  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  command->callback([shared, &action] { action = [shared] { return plot(*shared); }; });
+void add_plot(Commands& commands) {
+  commands.add<PlotOptions>(
+      {"plot", "Plot what a results file holds",
+       "gurney plot ventilator.h5 --list\n"
+       "gurney plot ventilator.h5 fragility overturned --width 85mm -o overturned.pdf\n"
+       "gurney plot run.h5 history displacement tilt -o run.png"},
+      plot, [](Options& add, PlotOptions& options) {
+        add.required("FILE", options.request.file, "The results file of a study or of one run");
+        add("KIND", options.request.kind,
+            "history, trajectories, collisions, fragility, ida, stripes, cloud, cdf, "
+            "tornado or spectra");
+        add("WHAT", options.request.what,
+            "Histories, demands, limit states, what was hit, or which spectra "
+            "(default: displacement, peak_displacement, all)");
+        add("--list", options.list, "List what can be plotted from the file");
+        add("-o,--output FILE", options.figure.path, "The figure (.svg, .pdf or .png)");
+        add("--run", options.request.run, "The run of a history (default: the first)");
+        add.single("--configuration", options.request.configurations,
+                   "Configurations (default: all)");
+        add("--measure MEASURE", options.request.measure,
+            "Intensity measure (default: the study's own)");
+        add_method_option(add, options.request.method);
+        add.calling<std::size_t>(
+               "--level", [&options](std::size_t level) { options.request.level = level - 1; },
+               "Of tornado and spectra: the N-th level, counted from 1 (default: that nearest to "
+               "the "
+               "median; the highest)")
+            ->check(CLI::Range(1, 1000000));
+        add("--job FILE", options.request.job,
+            "The job file, of collisions and spectra (default: the path in the log)");
+        add_units_option(add, options.units);
+        add_figure_style(add, options.figure);
+        add("--font-size", options.font_size, "Size of the labels [pt] (default: 8.25)");
+        add("--overwrite", options.overwrite, "Replace a figure that exists");
+      });
 }
 
 }  // namespace gurney::cli

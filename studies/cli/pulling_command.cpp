@@ -1,17 +1,14 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "engine/base/error.h"
 #include "studies/analysis/overview.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/new_folder.h"
-#include "studies/cli/print.h"
-#include "studies/cli/signals.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/pulling_figures.h"
 #include "studies/report/pulling_report.h"
 #include "studies/results/output_files.h"
@@ -29,7 +26,7 @@ struct PullingOptions {
   bool json = false, overwrite = false;
 };
 
-/// Of the run that is asked for; else the first that a measured trial is like; else the first.
+/// Index of the run that is asked for; else the first that a measured trial is like; else the first.
 std::size_t shown(const PullingOptions& options, const report::PullingReport& report) {
   const auto& trials = report.trials;
   const auto found = std::ranges::find_if(trials, [&](const calibration::SimulatedTrial& trial) {
@@ -84,24 +81,23 @@ int pulling(const PullingOptions& options) {
 
 }  // namespace
 
-void add_pulling(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<PullingOptions>();
-  PullingOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("pulling", "Evaluate the simulated pulling tests of a study");
-  command->add_option("FILE", options.file, "The results file of the study, with histories")
-      ->required();
-  command->add_option("-o,--output", options.folder, "Draw the figures into this folder");
-  command->add_option("--run", options.run, "The run of Figures 4 and 11 (default: the first)");
-  command->add_option("--measured", options.measured,
-                      "File or folder of measured trials, to be drawn beside the simulated ones");
-  command->add_option("--noise", options.noise,
-                      "Add synthetic noise of the instruments to the simulated signals, of this "
-                      "seed");
-  add_figure_format(*command, options.figures);
-  command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
-  command->add_flag("--json", options.json, "Print JSON, in SI units");
-  command->callback([shared, &action] { action = [shared] { return pulling(*shared); }; });
+void add_pulling(Commands& commands) {
+  commands.add<PullingOptions>(
+      {"pulling", "Evaluate the simulated pulling tests of a study",
+       "gurney pulling pulling_tests.h5 -o figures"},
+      pulling, [](Options& add, PullingOptions& options) {
+        add.required("FILE", options.file, "The results file of the study, with histories");
+        add("-o,--output FOLDER", options.folder, "Draw the figures into this folder");
+        add("--run", options.run, "The run of Figures 4 and 11 (default: the first)");
+        add("--measured FILE", options.measured,
+            "File or folder of measured trials, to be drawn beside the simulated ones");
+        add("--noise", options.noise,
+            "Add synthetic noise of the instruments to the simulated signals, of this "
+            "seed");
+        add_figure_format(add, options.figures);
+        add("--overwrite", options.overwrite, "Replace figures that exist");
+        add("--json", options.json, "Print JSON, in SI units");
+      });
 }
 
 }  // namespace gurney::cli

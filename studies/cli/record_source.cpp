@@ -12,10 +12,9 @@
 #include "engine/config/document.h"
 #include "engine/config/table.h"
 #include "groundmotions/processing/pipeline.h"
-#include "groundmotions/processing/step_reader.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "studies/cli/inline_table.h"
-#include "studies/cli/standard_error.h"
+#include "studies/cli/process.h"
 #include "studies/report/record_report.h"
 
 namespace gurney::cli {
@@ -60,25 +59,20 @@ class ProgressLine {
 
 }  // namespace
 
-void add_source_options(CLI::App& command, RecordSource& source) {
-  command
-      .add_option("PATH", source.paths,
-                  "Record files, folders, patterns (\"recs/*.AT2\"), lists of records, PEER "
-                  "_SearchResults.csv")
-      ->required();
-  command.add_option(
-      "--unit", source.options.unit,
+void add_source_options(Options& add, RecordSource& source) {
+  add.required("PATH", source.paths,
+               "Record files, folders, patterns (\"recs/*.AT2\"), lists of records, PEER "
+               "_SearchResults.csv");
+  add("--unit UNIT", source.options.unit,
       fmt::format("Unit of files that do not state it: {}", groundmotions::kAccelerationUnits));
-  command.add_option("--time-step", source.options.time_step,
-                     "Time step of files that do not state it [s]");
-  command.add_option("--count", source.options.si_per_count,
-                     "Acceleration of one count in files of raw counts [m/s2]");
-  command.add_option(
-      "--columns", source.options.columns,
+  add("--time-step", source.options.time_step, "Time step of files that do not state it [s]");
+  add("--count", source.options.si_per_count,
+      "Acceleration of one count in files of raw counts [m/s2]");
+  add("--columns", source.options.columns,
       "Columns of plain tables: samples, or names from time, h1, h2, vertical, skip");
-  command.add_option("--step", source.steps,
-                     "A processing step, such as --step \"high_pass corner_hz=0.1\"; several are "
-                     "applied in their order (docs/formats/processing.md)");
+  add("--step STEP", source.steps,
+      "A processing step, such as --step \"high_pass corner_hz=0.1\"; several are "
+      "applied in their order (docs/formats/processing.md)");
 }
 
 int for_each_record(const RecordSource& source, std::vector<groundmotions::Refusal>* refused,

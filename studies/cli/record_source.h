@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,7 +17,7 @@ struct RecordSource {
   bool tells_findings = true;      ///< record_findings() on stderr; false: the command shows them
 };
 
-void add_source_options(CLI::App& command, RecordSource& source);
+void add_source_options(Options& add, RecordSource& source);
 
 /// Reads the records one after the other, processes them and hands each to `use`. Progress goes to
 /// stderr where that is a terminal. Records that cannot be read are reported on stderr, and the

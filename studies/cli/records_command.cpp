@@ -1,17 +1,229 @@
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engine/base/error.h"
+#include "engine/base/printable.h"
+#include "groundmotions/synthetic/kinds.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
+#include "studies/cli/record_source.h"
+#include "studies/cli/shared_options.h"
+#include "studies/figures/record_figures.h"
+#include "studies/report/record_report.h"
 
 namespace gurney::cli {
+namespace {
 
-void add_records(CLI::App& app, std::function<int()>& action) {
-  CLI::App* const records =
-      app.add_subcommand("records", "Inspect, convert, generate and scale ground motions");
-  records->require_subcommand(1);
+struct InfoOptions {
+  RecordSource source;
+  std::vector<std::string> measures;
+  bool json = false;
+};
+
+std::vector<groundmotions::Measure> measures_of(const InfoOptions& options) {
+  if (options.measures.empty()) return groundmotions::common_measures();
+  std::vector<groundmotions::Measure> measures;
+  for (const std::string& name : options.measures)
+    measures.push_back(groundmotions::parse_measure(name));
+  return measures;
+}
+
+int print_json(const InfoOptions& options) {
+  const auto measures = measures_of(options);
+  findings::Section known;
+  known.json("records", findings::Texts{});
+  std::vector<groundmotions::Refusal> refused;
+  const int code = for_each_record(
+      options.source, &refused,
+      [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
+        findings::Section of = report::record_report(record, entry.facts, measures);
+        of.key = "records[]";
+        known.add(std::move(of));
+      });
+  findings::Table left_out{"refused", "", {{"file", ""}, {"reason", ""}}};
+  for (const groundmotions::Refusal& each : refused) left_out.add({each.file, each.reason});
+  print_findings(known.add(std::move(left_out)), true);
+  return code;
+}
+
+int info(const InfoOptions& options) {
+  if (options.json) return print_json(options);
+  const auto measures = measures_of(options);
+  bool first = true;
+  return for_each_record(
+      options.source, nullptr,
+      [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
+        fmt::print("{}{}", first ? "" : "\n",
+                   render::text(report::record_report(record, entry.facts, measures)));
+        first = false;
+      });
+}
+
+int list(const InfoOptions& options) {
+  if (options.json) return print_json(options);
+  std::size_t count = 0;
+  const std::size_t width = report::table_width();
+  std::vector<groundmotions::Refusal> refused;
+  const int code =
+      for_each_record(options.source, &refused,
+                      [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
+                        if (count++ == 0) fmt::print("{}", report::record_table_head(width));
+                        fmt::print("{}", printable(report::record_table_line(record, width)));
+                        std::fflush(stdout);
+                      });
+  fmt::print("{} record{}", count, count == 1 ? "" : "s");
+  if (!refused.empty()) fmt::print(", {} skipped", refused.size());
+  fmt::print("\n");
+  return code;
+}
+
+void declare(Options& add, InfoOptions& options) {
+  options.source.tells_findings = false;
+  add_source_options(add, options.source);
+  add("--json", options.json, "Print JSON, in SI units");
+}
+
+namespace fs = std::filesystem;
+
+struct RecordPlotOptions {
+  RecordSource source;
+  std::string output;
+  NamedFigures figures;
+  bool overwrite = false;
+};
+
+int plot_records(const RecordPlotOptions& options) {
+  const fs::path output = options.output;
+  const bool one_file = names_a_file(output);
+  FigureFile file{options.figures, options.output};
+  if (one_file) file.check(options.overwrite);
+  options.figures.check();
+  std::optional<NewFolder> folder;
+  if (!one_file) folder.emplace(output);
+  std::size_t count = 0;
+  return for_each_record(
+      options.source, nullptr,
+      [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
+        require(!one_file || count++ == 0,
+                options.output + ": one figure for several records; name a folder with -o");
+        if (!one_file)
+          file.path = (output / (file_name(record.name) + options.figures.suffix())).string();
+        file.write(figures::record_figure(record), options.overwrite, false);
+      });
+}
+
+struct MakeOptions {
+  std::string kind, output;
+  std::vector<std::string> settings;
+  bool list = false, overwrite = false, json = false;
+};
+
+/// All kinds, or one with its parameters.
+int list_kinds(const std::string& only) {
+  bool found = only.empty();
+  for (const groundmotions::SyntheticKind& kind : groundmotions::synthetic_kinds()) {
+    if (!only.empty() && kind.name != only) continue;
+    found = true;
+    fmt::print("{:<18} {}\n", kind.name, kind.description);
+    if (only.empty()) continue;
+    fmt::print("{:<18} source: {}\n", "", kind.source);
+    for (const groundmotions::SyntheticParameter& parameter : kind.parameters)
+      fmt::print("  {:<28} {:>10g}  {}, {}\n", parameter.key, parameter.fallback, parameter.meaning,
+                 parameter.range.text());
+  }
+  if (!found) groundmotions::synthetic_request(only, {});  // says which kinds there are
+  if (only.empty()) fmt::print("\nParameters of one kind: gurney records make KIND --list\n");
+  return 0;
+}
+
+int list_kinds_as_json() {
+  nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
+  for (const groundmotions::SyntheticKind& kind : groundmotions::synthetic_kinds()) {
+    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
+    for (const groundmotions::SyntheticParameter& parameter : kind.parameters)
+      parameters.push_back({{"key", parameter.key},
+                            {"default", parameter.fallback},
+                            {"meaning", parameter.meaning},
+                            {"allowed", parameter.range.text()}});
+    kinds.push_back({{"kind", kind.name},
+                     {"description", kind.description},
+                     {"source", kind.source},
+                     {"parameters", parameters}});
+  }
+  fmt::print("{}\n", nlohmann::ordered_json{{"kinds", kinds}}.dump(2));
+  return 0;
+}
+
+int make(const MakeOptions& options) {
+  if (options.list) return options.json ? list_kinds_as_json() : list_kinds(options.kind);
+  if (options.json) throw CLI::RequiresError("--json", "--list");
+  if (options.kind.empty()) throw CLI::RequiredError("KIND (`gurney records make --list`)");
+  if (options.output.empty()) throw CLI::RequiredError("-o FILE.csv");
+  const groundmotions::Record record =
+      groundmotions::make_record(groundmotions::synthetic_request(options.kind, options.settings));
+  for (const std::string& warning : record.warnings) print_error("warning: {}\n", warning);
+  write_output(options.output, record_csv(record), options.overwrite);
+  return 0;
+}
+
+}  // namespace
+
+void add_records(Commands& commands) {
+  Commands records =
+      commands.below({"records", "Inspect, convert, generate and scale ground motions",
+                      "gurney records ls groundmotions/records"});
   for (AddCommand* const add :
        {add_records_info, add_records_plot, add_records_convert, add_records_scale,
         add_records_make, add_records_floor, add_records_model})
-    add(*records, action);
+    add(records);
+}
+
+void add_records_info(Commands& records) {
+  records.add<InfoOptions>({"info", "Print peaks, durations and intensity measures of records",
+                            "gurney records info groundmotions/records/synthetic_3c.csv"},
+                           info, [](Options& add, InfoOptions& options) {
+                             declare(add, options);
+                             add("--measure MEASURE", options.measures,
+                                 "Intensity measures instead of the common ones, such as PGV or "
+                                 "\"Sa(0.3)\"; repeatable");
+                           });
+  records.add<InfoOptions>(
+      {"ls", "List the records of files and folders",
+       "gurney records ls groundmotions/records\ngurney records ls PEER_download --json"},
+      list, declare);
+}
+
+void add_records_plot(Commands& commands) {
+  commands.add<RecordPlotOptions>(
+      {"plot", "Plot histories and response spectra of records",
+       "gurney records plot groundmotions/records/synthetic_3c.csv -o record.svg"},
+      plot_records, [](Options& add, RecordPlotOptions& options) {
+        add_source_options(add, options.source);
+        add.required("-o,--output FILE", options.output,
+                     "A file (.svg, .pdf or .png), or a folder");
+        add_figure_format(add, options.figures);
+        add("--overwrite", options.overwrite, "Replace files that exist");
+      });
+}
+
+void add_records_make(Commands& commands) {
+  commands.add<MakeOptions>(
+      {"make", "Generate a synthetic motion",
+       "gurney records make --list\n"
+       "gurney records make near_fault_pulse period_s=2 -o pulse.csv"},
+      make, [](Options& add, MakeOptions& options) {
+        add("KIND", options.kind, "Kind of motion; --list shows all");
+        add("KEY=VALUE", options.settings, "Parameters, such as period_s=0.5");
+        add("-o,--output FILE", options.output, "The .csv file to write");
+        add("--list", options.list, "Print the kinds, or the parameters of KIND");
+        add("--json", options.json, "With --list: all kinds and parameters as JSON");
+        add("--overwrite", options.overwrite, "Replace a file that exists");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "engine/base/error.h"
@@ -12,10 +10,9 @@
 #include "groundmotions/formats/writers.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/inline_table.h"
-#include "studies/cli/new_folder.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
-#include "studies/cli/records_output.h"
-#include "studies/cli/signals.h"
 #include "studies/job/scale_reader.h"
 #include "studies/results/output_files.h"
 
@@ -114,20 +111,21 @@ int convert(const ConvertOptions& options) {
 
 }  // namespace
 
-void add_records_convert(CLI::App& records, std::function<int()>& action) {
-  auto options = std::make_shared<ConvertOptions>();
-  CLI::App* const command = records.add_subcommand(
-      "convert", "Write records as Gurney's CSV or as AT2, processed on the way");
-  add_source_options(*command, options->source);
-  command->add_option("-o,--output", options->output, "A .csv file, or a folder")->required();
-  command->add_option(
-      "--scale-to", options->scale_to,
-      "Scale each record, after its steps, such as \"Sa(1.0) component=RotD50 "
-      "value=0.6 unit=g vertical=kept\" (keys of scale_to in docs/formats/job_file.md)");
-  command->add_option("--format", options->format, "csv or at2 (one file for each component)")
-      ->check(CLI::IsMember({"csv", "at2"}));
-  command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
-  command->callback([options, &action] { action = [options] { return convert(*options); }; });
+void add_records_convert(Commands& commands) {
+  commands.add<ConvertOptions>(
+      {"convert", "Write records as Gurney's CSV or as AT2, processed on the way",
+       "gurney records convert groundmotions/records/synthetic_3c.csv -o filtered.csv \\\n"
+       "  --step \"band_pass corners_hz=[0.1,25]\""},
+      convert, [](Options& add, ConvertOptions& options) {
+        add_source_options(add, options.source);
+        add.required("-o,--output FILE", options.output, "A .csv file, or a folder");
+        add("--scale-to", options.scale_to,
+            "Scale each record, after its steps, such as \"Sa(1.0) component=RotD50 "
+            "value=0.6 unit=g vertical=kept\" (keys of scale_to in docs/formats/job_file.md)");
+        add("--format FORMAT", options.format, "csv or at2 (one file for each component)")
+            ->check(CLI::IsMember({"csv", "at2"}));
+        add("--overwrite", options.overwrite, "Replace files that exist");
+      });
 }
 
 }  // namespace gurney::cli

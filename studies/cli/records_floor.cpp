@@ -1,22 +1,20 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/catalogue.h"
-#include "groundmotions/buildings/building_reader.h"
+#include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
-#include "studies/cli/records_output.h"
-#include "studies/cli/standard_error.h"
 
 namespace gurney::cli {
 namespace {
@@ -140,21 +138,20 @@ int floor(const FloorOptions& options) {
 
 }  // namespace
 
-void add_records_floor(CLI::App& records, std::function<int()>& action) {
-  auto options = std::make_shared<FloorOptions>();
-  CLI::App* const command = records.add_subcommand(
-      "floor", "Compute floor motions from a ground motion and a building model");
-  add_source_options(*command, options->source);
-  command
-      ->add_option("--building", options->building,
-                   "A building of the catalogue (gurney equipment ls), or a building file")
-      ->required();
-  command->add_option("--storey,--floor", options->floor,
-                      "0 (the base) to the number of storeys, or roof");
-  command->add_option("-o,--output", options->output, "The .csv file to write")->required();
-  command->add_flag("--json", options->json, "Print the peaks as JSON");
-  command->add_flag("--overwrite", options->overwrite, "Replace a file that exists");
-  command->callback([options, &action] { action = [options] { return floor(*options); }; });
+void add_records_floor(Commands& commands) {
+  commands.add<FloorOptions>(
+      {"floor", "Compute floor motions from a ground motion and a building model",
+       "gurney records floor groundmotions/records/synthetic_3c.csv \\\n"
+       "  --building groundmotions/buildings/lead_rubber_hospital.toml --floor roof -o roof.csv"},
+      floor, [](Options& add, FloorOptions& options) {
+        add_source_options(add, options.source);
+        add.required("--building FILE", options.building,
+                     "A building of the catalogue (gurney equipment ls), or a building file");
+        add("--storey,--floor", options.floor, "0 (the base) to the number of storeys, or roof");
+        add.required("-o,--output FILE", options.output, "The .csv file to write");
+        add("--json", options.json, "Print the peaks as JSON");
+        add("--overwrite", options.overwrite, "Replace a file that exists");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,15 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "engine/base/units.h"
 #include "groundmotions/models/bssa14.h"
-#include "groundmotions/models/epsilon_correlation.h"
 #include "studies/cli/commands.h"
 
 namespace gurney::cli {
@@ -81,25 +78,23 @@ int print(const ModelOptions& options) {
 
 }  // namespace
 
-void add_records_model(CLI::App& records, std::function<int()>& action) {
-  auto options = std::make_shared<ModelOptions>();
-  CLI::App* const command = records.add_subcommand(
-      "model", "Median and scatter of PGV and Sa by a published ground-motion model");
-  command->add_option("--magnitude", options->scenario.magnitude, "Moment magnitude, 3 to 8.5")
-      ->required();
-  command
-      ->add_option("--distance", options->scenario.distance,
-                   "Distance to the surface projection of the rupture (Joyner-Boore), 0 to 400 km")
-      ->required();
-  command->add_option("--vs30", options->scenario.vs30,
-                      "Shear wave velocity of the upper 30 m, 150 to 1500 m/s (default: 760)");
-  command
-      ->add_option("--faulting", options->scenario.faulting,
-                   "unspecified, strike-slip, normal or reverse")
-      ->transform(CLI::CheckedTransformer(kFaulting).description(""));
-  command->add_option("--period", options->periods, "Periods of Sa [s]; repeatable");
-  command->add_flag("--json", options->json, "Print JSON, in SI units, with correlations");
-  command->callback([options, &action] { action = [options] { return print(*options); }; });
+void add_records_model(Commands& commands) {
+  commands.add<ModelOptions>(
+      {"model", "Spectrum of a published ground-motion model, with its scatter",
+       "gurney records model --magnitude 7 --distance 20 --vs30 400\n"
+       "gurney records model --magnitude 7 --distance 20 --vs30 400 --json"},
+      print, [](Options& add, ModelOptions& options) {
+        add.required("--magnitude", options.scenario.magnitude, "Moment magnitude, 3 to 8.5");
+        add.required(
+            "--distance", options.scenario.distance,
+            "Distance to the surface projection of the rupture (Joyner-Boore), 0 to 400 km");
+        add("--vs30", options.scenario.vs30,
+            "Shear wave velocity of the upper 30 m, 150 to 1500 m/s (default: 760)");
+        add("--faulting", options.scenario.faulting, "unspecified, strike-slip, normal or reverse")
+            ->transform(CLI::CheckedTransformer(kFaulting).description(""));
+        add("--period", options.periods, "Periods of Sa [s]; repeatable");
+        add("--json", options.json, "Print JSON, in SI units, with correlations");
+      });
 }
 
 }  // namespace gurney::cli

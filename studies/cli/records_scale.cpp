@@ -1,27 +1,23 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
-#include <cmath>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/base/error.h"
 #include "engine/base/number_text.h"
 #include "engine/config/document.h"
-#include "groundmotions/measures/combined_spectrum.h"
+#include "groundmotions/measures/combination.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"
-#include "groundmotions/scaling/target_reader.h"
+#include "groundmotions/scaling/target_spectrum.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
 #include "studies/cli/inline_table.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
-#include "studies/cli/records_output.h"
-#include "studies/cli/signals.h"
-#include "studies/cli/standard_error.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/record_figures.h"
 #include "studies/results/output_files.h"
 
@@ -229,35 +225,35 @@ int scale(const ScaleOptions& options) {
 
 }  // namespace
 
-void add_records_scale(CLI::App& records, std::function<int()>& action) {
-  auto options = std::make_shared<ScaleOptions>();
-  CLI::App* const command =
-      records.add_subcommand("scale", "Factors that bring a suite of records to a target spectrum");
-  add_source_options(*command, options->source);
-  command
-      ->add_option("--target", options->target,
-                   "Such as \"asce7 sds_g=1 sd1_g=0.6\", \"eurocode8 ground=B ag_g=0.3\", "
-                   "\"nzs1170 site_class=C hazard_factor=0.4\", \"ac156 sds_g=1 height_ratio=1\", "
-                   "\"table file=FILE.csv\" (docs/theory/scaling.md)")
-      ->required();
-  command->add_option("--periods", options->periods, "Period range of the fit, LOW:HIGH [s]");
-  command->add_option("--component", options->component,
-                      "Spectrum of a record: RotD50, RotD100, geomean, larger, SRSS, h1, ...");
-  command->add_option("--mean", options->mean, "Mean of the suite: arithmetic or geometric")
-      ->check(CLI::IsMember({"arithmetic", "geometric"}));
-  command
-      ->add_option("--floor-share", options->floor_share,
-                   "The mean is nowhere below this share of the target; 0: it meets the target "
-                   "on average")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--factors,--limits", options->limits,
-                      "Factors allowed for a record, LOW:HIGH");
-  command->add_flag("--common", options->common, "One factor for all records");
-  command->add_option("-o,--output", options->output, "A list of the scaled suite to write (.csv)");
-  add_figure_option(*command, options->figure, "A figure to write");
-  command->add_flag("--json", options->json, "Print the factors as JSON");
-  command->add_flag("--overwrite", options->overwrite, "Replace files that exist");
-  command->callback([options, &action] { action = [options] { return scale(*options); }; });
+void add_records_scale(Commands& commands) {
+  commands.add<ScaleOptions>(
+      {"scale", "Factors that bring a suite of records to a target spectrum",
+       "gurney records scale groundmotions/records --target \"asce7 sds_g=1 sd1_g=0.6\" \\\n"
+       "  --periods 0.2:2 -o suite.csv"},
+      scale, [](Options& add, ScaleOptions& options) {
+        add_source_options(add, options.source);
+        add.required(
+            "--target", options.target,
+            "Such as \"asce7 sds_g=1 sd1_g=0.6\", \"eurocode8 ground=B ag_g=0.3\", "
+            "\"nzs1170 site_class=C hazard_factor=0.4\", \"ac156 sds_g=1 height_ratio=1\", "
+            "\"table file=FILE.csv\" (docs/theory/scaling.md)");
+        add("--periods LOW:HIGH", options.periods, "Period range of the fit, LOW:HIGH [s]");
+        add("--component", options.component,
+            "Spectrum of a record: RotD50, RotD100, geomean, larger, SRSS, h1, ...");
+        add("--mean", options.mean, "Mean of the suite: arithmetic or geometric")
+            ->check(CLI::IsMember({"arithmetic", "geometric"}));
+        add("--floor-share", options.floor_share,
+            "The mean is nowhere below this share of the target; 0: it meets the target "
+            "on average")
+            ->check(CLI::Range(0.0, 1.0));
+        add("--factors,--limits LOW:HIGH", options.limits,
+            "Factors allowed for a record, LOW:HIGH");
+        add("--common", options.common, "One factor for all records");
+        add("-o,--output FILE", options.output, "A list of the scaled suite to write (.csv)");
+        add_figure_option(add, options.figure, "A figure to write");
+        add("--json", options.json, "Print the factors as JSON");
+        add("--overwrite", options.overwrite, "Replace files that exist");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,13 +1,9 @@
-#include <CLI/CLI.hpp>
-#include <memory>
 
 #include "engine/base/error.h"
-#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/explained_case.h"
-#include "studies/cli/job_of_log.h"
-#include "studies/cli/records_output.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/repeated_run.h"
+#include "studies/cli/shared_options.h"
 #include "studies/page/page.h"
 #include "studies/results/output_files.h"
 
@@ -20,11 +16,11 @@ struct ReportOptions {
   bool overwrite = false;
 };
 
-/// Of one run, where its job can be run again and gives the same demands.
+/// Explains one run, where its job can be run again and gives the same demands.
 void add_explanation(page::PageRequest& request) {
   try {
     if (is_study(request.file)) return;
-    Explained found = explained(case_again(request.file, {}, request.job), request.units);
+    Explained found = explained(repeated_run(request.file, {}, request.job), request.units);
     request.explanation = std::move(found.explanation);
     request.narrative = std::move(found.narrative);
   } catch (const Error& error) {
@@ -45,22 +41,23 @@ int report(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<ReportOptions>();
-  CLI::App* const command = app.add_subcommand("report", "Write results as one HTML page");
-  command
-      ->add_option(
-          "FILE", options->request.file,
-          "The results file of a study or of one run; JSON of gurney calibrate or gurney verify")
-      ->required();
-  command->add_option("-o,--output", options->output, "The page (.html)")->required();
-  add_limit_state_options(*command, options->request.assessed_by);
-  add_hazard_option(*command, options->request.assessed_by);
-  command->add_option("--job", options->request.job,
-                      "The job file, for drawings of its items (default: the path in the log)");
-  add_units_option(*command, options->request.units);
-  command->add_flag("--overwrite", options->overwrite, "Replace a page that exists");
-  command->callback([options, &action] { action = [options] { return report(*options); }; });
+void add_report(Commands& commands) {
+  commands.add<ReportOptions>(
+      {"report", "Write a run, a study, a calibration or a verification as one HTML page",
+       "gurney report ventilator.h5 -o ventilator.html\n"
+       "gurney report ventilator.h5 --limit-state \"peak_displacement > 0.2 m\" -o far.html"},
+      report, [](Options& add, ReportOptions& options) {
+        add.required(
+            "FILE", options.request.file,
+            "The results file of a study or of one run; JSON of gurney calibrate or gurney verify");
+        add.required("-o,--output FILE", options.output, "The page (.html)");
+        add_limit_state_options(add, options.request.assessed_by);
+        add_hazard_option(add, options.request.assessed_by);
+        add("--job FILE", options.request.job,
+            "The job file, for drawings of its items (default: the path in the log)");
+        add_units_option(add, options.request.units);
+        add("--overwrite", options.overwrite, "Replace a page that exists");
+      });
 }
 
 }  // namespace gurney::cli

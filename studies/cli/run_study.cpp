@@ -1,5 +1,3 @@
-#include "studies/cli/run_study.h"
-
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -12,21 +10,16 @@
 #include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
-#include "studies/cli/scale_warnings.h"
-#include "studies/cli/signals.h"
-#include "studies/cli/standard_error.h"
+#include "studies/cli/process.h"
+#include "studies/cli/run_command.h"
 #include "studies/cli/study_output.h"
-#include "studies/cli/study_progress.h"
-#include "studies/cli/study_size.h"
-#include "studies/cli/study_warnings.h"
-#include "studies/report/failed_runs.h"
+#include "studies/report/study_report.h"
 #include "studies/results/output_files.h"
-#include "studies/run/complete_study.h"
-#include "studies/run/folder_lock.h"
-#include "studies/run/identity_file.h"
+#include "studies/run/part_folder.h"
 #include "studies/run/run_batch.h"
 #include "studies/run/shard.h"
 #include "studies/run/shard_folders.h"
+#include "studies/run/study_file.h"
 #include "studies/run/study_identity.h"
 
 namespace gurney::cli {

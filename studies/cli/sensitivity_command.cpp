@@ -1,14 +1,9 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <memory>
-
 #include "engine/base/error.h"
-#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
-#include "studies/cli/print.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/sensitivity_figures.h"
 #include "studies/report/sensitivity_report.h"
 
@@ -79,33 +74,29 @@ int sensitivity(const SensitivityCommand& options) {
 
 }  // namespace
 
-void add_sensitivity(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<SensitivityCommand>();
-  SensitivityCommand& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("sensitivity", "Rank uncertain parameters by their influence on a demand");
-  command->add_option("FILE", options.file, "The results file of a study with draws")->required();
-  CLI::Option* const demand = command->add_option(
-      "--demand", options.demand, "The demand to explain (default: peak_displacement)");
-  command->add_option("--limit", options.limit, "Explain whether this limit state is exceeded")
-      ->excludes(demand);
-  add_limit_state_options(*command, options.assessed_by);
-  command->add_option("--configuration", options.configurations, "Configurations (default: all)")
-      ->allow_extra_args(false);
-  CLI::Option* const level =
-      command
-          ->add_option(
-              "--level", options.level,
-              "Runs at the N-th level, counted from 1 (default: that nearest to the median "
-              "of the limit state)")
-          ->check(CLI::Range(1, 1000000));
-  command->add_flag("--all-levels", options.all_levels, "Runs at all levels together")
-      ->excludes(level);
-  add_figure_option(*command, options.figure, "Draw indices and tornado of one configuration");
-  command->add_flag("--overwrite", options.overwrite, "Replace a figure that exists");
-  add_units_option(*command, options.units);
-  command->add_flag("--json", options.json, "Print JSON, in SI units or those of --units");
-  command->callback([shared, &action] { action = [shared] { return sensitivity(*shared); }; });
+void add_sensitivity(Commands& commands) {
+  commands.add<SensitivityCommand>(
+      {"sensitivity", "Rank uncertain parameters by their influence on a demand",
+       "gurney sensitivity ventilator.h5 --demand peak_displacement"},
+      sensitivity, [](Options& add, SensitivityCommand& options) {
+        add.required("FILE", options.file, "The results file of a study with draws");
+        CLI::Option* const demand =
+            add("--demand", options.demand, "The demand to explain (default: peak_displacement)");
+        add("--limit", options.limit, "Explain whether this limit state is exceeded")
+            ->excludes(demand);
+        add_limit_state_options(add, options.assessed_by);
+        add.single("--configuration", options.configurations, "Configurations (default: all)");
+        CLI::Option* const level =
+            add("--level", options.level,
+                "Runs at the N-th level, counted from 1 (default: that nearest to the median "
+                "of the limit state)")
+                ->check(CLI::Range(1, 1000000));
+        add("--all-levels", options.all_levels, "Runs at all levels together")->excludes(level);
+        add_figure_option(add, options.figure, "Draw indices and tornado of one configuration");
+        add("--overwrite", options.overwrite, "Replace a figure that exists");
+        add_units_option(add, options.units);
+        add("--json", options.json, "Print JSON, in SI units or those of --units");
+      });
 }
 
 }  // namespace gurney::cli

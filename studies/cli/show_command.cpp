@@ -1,20 +1,16 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "studies/analysis/kept_job.h"
 #include "studies/analysis/overview.h"
-#include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/job_of_log.h"
-#include "studies/cli/print.h"
-#include "studies/cli/scratch_folder.h"
-#include "studies/cli/units_option.h"
+#include "studies/cli/output.h"
+#include "studies/cli/repeated_run.h"
+#include "studies/cli/shared_options.h"
 #include "studies/report/overview_report.h"
 #include "studies/run/shard_status.h"
 
@@ -46,7 +42,7 @@ std::string job_of_folder(const fs::path& folder) {
   return path;
 }
 
-/// Of what is finished, as a results file that is there for the moment. Its runs will have other
+/// Shows finished cases by a temporary results file. Its runs will have other
 /// numbers once the study is complete, so that none can be repeated yet.
 int show_unfinished(const ShowOptions& options) {
   const study::FinishedCases cases(options.file);
@@ -86,19 +82,19 @@ int show_command(const ShowOptions& options) {
 
 }  // namespace
 
-void add_show(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<ShowOptions>();
-  CLI::App* const show = app.add_subcommand("show", "Summarize a results file");
-  show->add_option("FILE", options->file,
-                   "The results file of a study or of one run, or the folder FILE.h5.parts or "
-                   "FILE.h5.shards of a study that is still running")
-      ->required();
-  show->add_option("--job", options->job,
-                   "The job file, of such a folder (default: the path in its log)");
-  add_limit_state_options(*show, options->assessed_by);
-  add_units_option(*show, options->units);
-  show->add_flag("--json", options->json, "Print it as JSON");
-  show->callback([options, &action] { action = [options] { return show_command(*options); }; });
+void add_show(Commands& commands) {
+  commands.add<ShowOptions>(
+      {"show", "Summarize a results file", "gurney show ventilator.h5"}, show_command,
+      [](Options& add, ShowOptions& options) {
+        add.required("FILE", options.file,
+                     "The results file of a study or of one run, or the folder FILE.h5.parts or "
+                     "FILE.h5.shards of a study that is still running");
+        add("--job FILE", options.job,
+            "The job file, of such a folder (default: the path in its log)");
+        add_limit_state_options(add, options.assessed_by);
+        add_units_option(add, options.units);
+        add("--json", options.json, "Print it as JSON");
+      });
 }
 
 }  // namespace gurney::cli

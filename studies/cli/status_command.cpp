@@ -1,19 +1,17 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/base/printable.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/print.h"
-#include "studies/cli/study_size.h"
-#include "studies/report/failed_runs.h"
+#include "studies/cli/output.h"
+#include "studies/cli/study_output.h"
+#include "studies/report/study_report.h"
 #include "studies/run/shard_status.h"
 
 namespace gurney::cli {
@@ -92,7 +90,7 @@ Total total_of(const std::vector<ShardStatus>& shards) {
   return all;
 }
 
-/// Of all shards, those with the slowest runs first.
+/// Records of all shards, those with the slowest runs first.
 std::vector<std::pair<std::string, RecordTime>> slowest_records(
     const std::vector<ShardStatus>& shards) {
   constexpr std::size_t kMost = 5;
@@ -148,15 +146,15 @@ int status_command(const StatusOptions& options) {
 
 }  // namespace
 
-void add_status(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<StatusOptions>();
-  CLI::App* const status = app.add_subcommand("status", "");
-  status
-      ->add_option("FOLDER", options->folder,
-                   "The folder of the shards, FILE.h5.shards, or of one study, FILE.h5.parts")
-      ->required();
-  status->add_flag("--json", options->json, "Print it as JSON");
-  status->callback([options, &action] { action = [options] { return status_command(*options); }; });
+void add_status(Commands& commands) {
+  commands.add<StatusOptions>(
+      {"status", "Report the progress of shards, also while they run",
+       "gurney status ventilator.h5.shards"},
+      status_command, [](Options& add, StatusOptions& options) {
+        add.required("FOLDER", options.folder,
+                     "The folder of the shards, FILE.h5.shards, or of one study, FILE.h5.parts");
+        add("--json", options.json, "Print it as JSON");
+      });
 }
 
 }  // namespace gurney::cli

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,12 +54,22 @@ std::string job_name(const SubmitOptions& options) {
   return name;
 }
 
+/// How many tasks of an array run at the same time, as Slurm, PBS and LSF take it; empty: all.
+std::string at_most(const SubmitOptions& options) {
+  return options.at_most > 0 ? fmt::format("%{}", options.at_most) : "";
+}
+
+/// The indices of an array.
+std::string array_of(const SubmitOptions& options, int size) {
+  return fmt::format("1-{}{}", size, at_most(options));
+}
+
 std::string head(const SubmitOptions& options) {
   const bool array = options.mode == "array";
   std::string text = "#!/bin/bash\n";
   text += directive("the name of the job file", "--job-name=" + shell_word(job_name(options)));
-  text += array ? fmt::format("#SBATCH --array=1-{}{}\n", std::min(options.shards, kLargestIndex),
-                              options.at_most > 0 ? fmt::format("%{}", options.at_most) : "")
+  text += array ? fmt::format("#SBATCH --array={}\n",
+                              array_of(options, std::min(options.shards, kLargestIndex)))
                 : fmt::format("#SBATCH --ntasks={}\n", options.shards);
   text += fmt::format("#SBATCH --cpus-per-task={}\n", options.threads);
   text += directive("--time", "--time=" + options.time);
@@ -77,7 +85,7 @@ std::string no_option(const std::string& path) {
   return path.starts_with('-') ? "./" + path : path;
 }
 
-/// Of an array a task ends with SIGTERM before its time is over: it is put into the queue again.
+/// A task of an array ends with SIGTERM before its time is over: it is put into the queue again.
 constexpr const char* kAgain = R"(code=$?
 if [ "$code" -eq 143 ]; then  # the time is over: go on in another allocation
   scontrol requeue "{}"
@@ -122,8 +130,7 @@ std::string pbs_script_of(const SubmitOptions& options, const std::string& resul
   std::string text = "#!/bin/bash\n";
   text += directive("the name of the job file", "-N " + shell_word(job_name(options)), "PBS");
   if (options.shards > 1)  // it refuses an array of one
-    text += fmt::format("#PBS -J 1-{}{}\n", options.shards,
-                        options.at_most > 0 ? fmt::format("%{}", options.at_most) : "");
+    text += fmt::format("#PBS -J {}\n", array_of(options, options.shards));
   text += fmt::format("#PBS -l select=1:ncpus={}\n", options.threads);
   text += directive("--time", "-l walltime=" + options.time, "PBS") + "#PBS -j oe\n#PBS -r y\n";
   for (const std::string& option : options.site) text += directive("--directive", option, "PBS");
@@ -133,12 +140,10 @@ std::string pbs_script_of(const SubmitOptions& options, const std::string& resul
 
 std::string lsf_script_of(const SubmitOptions& options, const std::string& results) {
   std::string text = "#!/bin/bash\n";
-  text += directive(
-      "the name of the job file",
-      fmt::format("-J {}", shell_word(fmt::format(
-                               "{}[1-{}]{}", job_name(options), options.shards,
-                               options.at_most > 0 ? fmt::format("%{}", options.at_most) : ""))),
-      "BSUB");
+  text += directive("the name of the job file",
+                    fmt::format("-J {}", shell_word(fmt::format("{}[1-{}]{}", job_name(options),
+                                                                options.shards, at_most(options)))),
+                    "BSUB");
   text += fmt::format("#BSUB -n {}\n#BSUB -R \"span[hosts=1]\"\n", options.threads);
   text += directive("--time", "-W " + options.time, "BSUB");
   text += "#BSUB -o %J_%I.out\n#BSUB -r\n#BSUB -Q \"143\"\n#BSUB -wa TERM -wt 1\n";
@@ -165,9 +170,9 @@ std::string further_arrays(const SubmitOptions& options, const std::string& scri
   std::string text;
   if (!options.slurm || options.mode != "array") return text;
   for (int before = kLargestIndex; before < options.shards; before += kLargestIndex)
-    text += fmt::format("         GURNEY_SHARDS_BEFORE={} sbatch --array=1-{}{} {}\n", before,
-                        std::min(options.shards - before, kLargestIndex),
-                        options.at_most > 0 ? fmt::format("%{}", options.at_most) : "", script);
+    text +=
+        fmt::format("         GURNEY_SHARDS_BEFORE={} sbatch --array={} {}\n", before,
+                    array_of(options, std::min(options.shards - before, kLargestIndex)), script);
   return text;
 }
 
@@ -222,39 +227,33 @@ int submit_command(const SubmitOptions& options) {
 
 }  // namespace
 
-void add_submit(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<SubmitOptions>();
-  SubmitOptions& options = *shared;
-  CLI::App* const submit = app.add_subcommand("submit", "");
-  submit->add_option("JOB", options.job, "The job file of a study")->required();
-  submit->add_flag("--slurm", options.slurm, "Write a script for Slurm's sbatch");
-  submit->add_flag("--pbs", options.pbs, "Write a script for qsub of PBS Pro or OpenPBS");
-  submit->add_flag("--lsf", options.lsf, "Write a script for LSF's bsub");
-  submit->add_option("--shards", options.shards, "Number of shards")
-      ->required()
-      ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));
-  submit
-      ->add_option("--mode", options.mode,
-                   "array: a job of an array for each shard; allocation: all in one job of Slurm")
-      ->check(CLI::IsMember({"array", "allocation"}))
-      ->capture_default_str();
-  submit->add_option("-j,--threads", options.threads, "Threads of each shard")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
-  submit->add_option("--at-most", options.at_most, "Shards of an array that run at the same time")
-      ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));
-  submit->add_option("--time", options.time, "Time limit, as the scheduler takes it")
-      ->capture_default_str();
-  submit->add_option("--directive,--sbatch", options.site,
-                     "A further option for the scheduler, such as --directive=--partition=short");
-  submit->add_option("--program", options.program, "The program on the nodes")
-      ->capture_default_str();
-  submit->add_option("-o,--output", options.output,
-                     "The results file (default: <name of the job>.h5)");
-  submit->add_option("--script", options.script,
-                     "The script (default: <name of the job>.sbatch, .pbs or .bsub)");
-  submit->add_flag("--overwrite", options.overwrite, "Replace files that exist");
-  submit->callback([shared, &action] { action = [shared] { return submit_command(*shared); }; });
+void add_submit(Commands& commands) {
+  commands.add<SubmitOptions>(
+      {"submit", "Write a batch script that runs a study in shards on a cluster",
+       "gurney submit ventilator.toml --slurm --shards 16 -j 4 --time 02:00:00\n"
+       "gurney submit ventilator.toml --slurm --shards 16 --mode allocation"},
+      submit_command, [](Options& add, SubmitOptions& options) {
+        add.required("JOB", options.job, "The job file of a study");
+        add("--slurm", options.slurm, "Write a script for Slurm's sbatch");
+        add("--pbs", options.pbs, "Write a script for qsub of PBS Pro or OpenPBS");
+        add("--lsf", options.lsf, "Write a script for LSF's bsub");
+        add.required("--shards", options.shards, "Number of shards")
+            ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));
+        add("--mode", options.mode,
+            "array: a job of an array for each shard; allocation: all in one job of Slurm")
+            ->check(CLI::IsMember({"array", "allocation"}));
+        add.threads(options.threads, "Threads of each shard");
+        add("--at-most", options.at_most, "Shards of an array that run at the same time")
+            ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));
+        add("--time TIME", options.time, "Time limit, as the scheduler takes it");
+        add("--directive,--sbatch", options.site,
+            "A further option for the scheduler, such as --directive=--partition=short");
+        add("--program FILE", options.program, "The program on the nodes");
+        add("-o,--output FILE", options.output, "The results file (default: <name of the job>.h5)");
+        add("--script FILE", options.script,
+            "The script (default: <name of the job>.sbatch, .pbs or .bsub)");
+        add("--overwrite", options.overwrite, "Replace files that exist");
+      });
 }
 
 }  // namespace gurney::cli

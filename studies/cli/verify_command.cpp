@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 #include "engine/base/parallel.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/figure_output.h"
+#include "studies/cli/shared_options.h"
 #include "studies/figures/verification_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/verification_report.h"
@@ -25,7 +23,6 @@ constexpr int kFailed = 3;
 
 struct VerifyOptions {
   verification::Selection selection;
-  std::uint64_t seed = 0;
   bool json = false, markdown = false, overwrite = false, list = false;
   std::string figures;
   NamedFigures style;
@@ -64,9 +61,8 @@ int list_names(const std::vector<verification::Family>& families) {
   return 0;
 }
 
-int verify(VerifyOptions options, bool drawn) {
+int verify(const VerifyOptions& options) {
   options.style.check();
-  if (drawn) options.selection.seed = options.seed;
   const std::vector<verification::Family> families = verification::all_families();
   if (options.list) return list_names(families);
   std::vector<CaseRun> runs = choose(families, options.selection);
@@ -76,9 +72,9 @@ int verify(VerifyOptions options, bool drawn) {
     for (const CaseRun& each : runs) files.check(figure_path(options, each));
   }
   const int threads = threads_or_all(options.threads);
-  const bool in_full = !options.selection.names.empty() && !drawn;
+  const bool in_full = !options.selection.names.empty() && !options.selection.seed;
   const bool text = !options.json && !options.markdown;
-  run_all(runs, !drawn, threads, [&](const CaseRun& each) {
+  run_all(runs, !options.selection.seed, threads, [&](const CaseRun& each) {
     fmt::print(text ? stdout : stderr, "{}", report::verification_text(each, in_full && text));
     std::fflush(text ? stdout : stderr);
   });
@@ -93,34 +89,29 @@ int verify(VerifyOptions options, bool drawn) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, std::function<int()>& action) {
-  auto shared = std::make_shared<VerifyOptions>();
-  VerifyOptions& options = *shared;
-  CLI::App* const command =
-      app.add_subcommand("verify", "Verify the engine against closed-form solutions");
-  command->add_option("NAME", options.selection.names,
-                      "Groups, families or cases to report in full (default: all)");
-  command->add_flag("--list", options.list, "Print the names of groups and families");
-  command->add_flag("--json", options.json, "Print JSON, with every check");
-  command->add_flag("--markdown", options.markdown, "Print docs/verification_tables.md");
-  command->add_option("--figures", options.figures,
-                      "Draw computed and reference of each case into this folder");
-  add_figure_format(*command, options.style);
-  command->add_flag("--overwrite", options.overwrite, "Replace figures that exist");
-  CLI::Option* const draw =
-      command->add_option("--draw", options.seed,
-                          "Run parameters drawn in the ranges of each closed form with this seed");
-  command
-      ->add_option("--count", options.selection.draws,
-                   "Number of consecutive seeds, starting with that of --draw (default: 1)")
-      ->needs(draw)
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("-j,--threads", options.threads, "Threads (default: all hardware threads)")
-      ->check(CLI::Range(1, 4096));
-  command->callback([shared, draw, &action] {
-    const bool drawn = draw->count() > 0;
-    action = [shared, drawn] { return verify(*shared, drawn); };
-  });
+void add_verify(Commands& commands) {
+  commands.add<VerifyOptions>(
+      {"verify", "Verify the engine against closed-form solutions",
+       "gurney verify\ngurney verify --list\ngurney verify skid_to_roll --draw 7 --count 3"},
+      verify, [](Options& add, VerifyOptions& options) {
+        add("NAME", options.selection.names,
+            "Groups, families or cases to report in full (default: all)");
+        add("--list", options.list, "Print the names of groups and families");
+        add("--json", options.json, "Print JSON, with every check");
+        add("--markdown", options.markdown, "Print docs/verification_tables.md");
+        add("--figures FOLDER", options.figures,
+            "Draw computed and reference of each case into this folder");
+        add_figure_format(add, options.style);
+        add("--overwrite", options.overwrite, "Replace figures that exist");
+        CLI::Option* const draw =
+            add("--draw", options.selection.seed,
+                "Run parameters drawn in the ranges of each closed form with this seed");
+        add("--count", options.selection.draws,
+            "Number of consecutive seeds, starting with that of --draw (default: 1)")
+            ->needs(draw)
+            ->check(CLI::Range(1, 1000000));
+        add.threads(options.threads, "Threads (default: all hardware threads)");
+      });
 }
 
 }  // namespace gurney::cli

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "engine/base/unit_table.h"
 #include "engine/run/run.h"
-#include "studies/convergence/judge.h"
 #include "studies/limit_states/limit_state.h"
 #include "studies/prepare/run_job.h"
 #include "studies/results/columns.h"
@@ -31,38 +31,6 @@ void scale_treads(Scene& scene, double factor) {
       caster.tread.tangential_damping *= std::sqrt(factor);
     }
 }
-
-}  // namespace
-
-std::vector<Variant> variants_for(const SimulationSettings& settings) {
-  std::vector<Variant> variants{{Varied::kTimeStep, 1}};
-  for (const double factor : {2.0, 0.5, 0.25, 0.125})
-    if (factor * settings.time_step <= kLongestStep)
-      variants.push_back({Varied::kTimeStep, factor});
-  for (const double factor : {1e3, 1e-2})
-    if (factor * settings.residual <= kLoosestTolerance)
-      variants.push_back({Varied::kSolverTolerance, factor});
-  for (const double factor : {0.25, 0.5, 2.0, 4.0})
-    variants.push_back({Varied::kTreadStiffness, factor});
-  return variants;
-}
-
-RunCase varied(RunCase run, const Variant& variant) {
-  switch (variant.varied) {
-    case Varied::kTimeStep:
-      lengthen_steps(variant.factor, run.settings);
-      break;
-    case Varied::kSolverTolerance:
-      run.settings.residual *= variant.factor;
-      break;
-    case Varied::kTreadStiffness:
-      scale_treads(run.scene, variant.factor);
-      break;
-  }
-  return run;
-}
-
-namespace {
 
 constexpr std::size_t kStepsOfIda = 4;
 
@@ -115,24 +83,6 @@ ConvergenceCases cases_of_study(const StudyJob& job, std::size_t most, int threa
   require(!cases.runs.empty(), last_problem);
   return cases;
 }
-
-}  // namespace
-
-ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int threads) {
-  ConvergenceCases cases;
-  if (has_study(job)) {
-    cases = cases_of_study(StudyJob(job), most, threads);
-  } else {
-    PreparedRun run = prepare_run(job);
-    cases.runs.push_back({std::move(run.facts.scene), std::move(run.facts.floor),
-                          run.facts.settings, run.facts.warnings});
-    cases.names.push_back(run.facts.record ? run.facts.record->name : "the floor rests");
-  }
-  for (RunCase& run : cases.runs) run.settings.history_step = run.settings.peak_error = 0;
-  return cases;
-}
-
-namespace {
 
 /// Outcomes of one run that are kept.
 struct Outcomes {
@@ -278,7 +228,68 @@ class Judge {
   std::vector<std::size_t> usable_;
 };
 
+/// Values by factor of what was varied, the job's own among them.
+std::map<double, double> along(const ConvergedNumber& number, const std::vector<Variant>& variants,
+                               Varied wanted) {
+  std::map<double, double> values{{1.0, number.values.front()}};
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    if (variants[i].varied == wanted) values[variants[i].factor] = number.values[i];
+  return values;
+}
+
+/// Largest change over factors from `low` to `high`.
+double largest_change(const std::map<double, double>& values, double low, double high,
+                      double smallest) {
+  double largest = 0;
+  for (const auto& [factor, value] : values)
+    if (factor >= low && factor <= high)
+      largest = std::max(largest, relative_change(values.at(1.0), value, smallest));
+  return largest;
+}
+
 }  // namespace
+
+std::vector<Variant> variants_for(const SimulationSettings& settings) {
+  std::vector<Variant> variants{{Varied::kTimeStep, 1}};
+  for (const double factor : {2.0, 0.5, 0.25, 0.125})
+    if (factor * settings.time_step <= kLongestStep)
+      variants.push_back({Varied::kTimeStep, factor});
+  for (const double factor : {1e3, 1e-2})
+    if (factor * settings.residual <= kLoosestTolerance)
+      variants.push_back({Varied::kSolverTolerance, factor});
+  for (const double factor : {0.25, 0.5, 2.0, 4.0})
+    variants.push_back({Varied::kTreadStiffness, factor});
+  return variants;
+}
+
+RunCase varied(RunCase run, const Variant& variant) {
+  switch (variant.varied) {
+    case Varied::kTimeStep:
+      lengthen_steps(variant.factor, run.settings);
+      break;
+    case Varied::kSolverTolerance:
+      run.settings.residual *= variant.factor;
+      break;
+    case Varied::kTreadStiffness:
+      scale_treads(run.scene, variant.factor);
+      break;
+  }
+  return run;
+}
+
+ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int threads) {
+  ConvergenceCases cases;
+  if (has_study(job)) {
+    cases = cases_of_study(StudyJob(job), most, threads);
+  } else {
+    PreparedRun run = prepare_run(job);
+    cases.runs.push_back({std::move(run.facts.scene), std::move(run.facts.floor),
+                          run.facts.settings, run.facts.warnings});
+    cases.names.push_back(run.facts.record ? run.facts.record->name : "the floor rests");
+  }
+  for (RunCase& run : cases.runs) run.settings.history_step = run.settings.peak_error = 0;
+  return cases;
+}
 
 std::string name_of(StepVerdict verdict) {
   switch (verdict) {
@@ -306,6 +317,39 @@ Convergence converge(const ConvergenceCases& cases, double tolerance, int thread
   judge.demands();
   judge.limit_states();
   return result;
+}
+
+double relative_change(double a, double b, double smallest) {
+  const double difference = std::abs(a - b);
+  return difference <= smallest ? 0 : difference / std::max(std::abs(a), std::abs(b));
+}
+
+void judge(ConvergedNumber& number, const std::vector<Variant>& variants,
+           const SimulationSettings& settings, double tolerance, double smallest) {
+  const auto step = along(number, variants, Varied::kTimeStep);
+  const double whole = step.at(1), half = step.at(0.5), quarter = step.at(0.25),
+               eighth = step.at(0.125);
+  number.change = relative_change(whole, eighth, smallest);
+  const double first = std::abs(whole - half), second = std::abs(half - quarter),
+               third = std::abs(quarter - eighth);
+  number.order = first > 0 && second > 0 ? std::log2(first / second)
+                                         : std::numeric_limits<double>::quiet_NaN();
+  number.solver_change =
+      largest_change(along(number, variants, Varied::kSolverTolerance), 0, 1, smallest);
+  number.stiffness_change =
+      largest_change(along(number, variants, Varied::kTreadStiffness), 0.5, 2, smallest);
+  number.step_needed = settings.time_step;
+  if (number.change <= tolerance) {
+    number.step = StepVerdict::kConverged;
+  } else if (std::abs(whole - eighth) <= 0.5 * number.scatter) {
+    number.step = StepVerdict::kScattered;
+  } else if (second <= 0.75 * first && third <= 0.75 * second) {
+    number.step = StepVerdict::kConverging;
+    const double order = std::clamp(number.order, 0.5, 2.0);
+    number.step_needed *= std::pow(tolerance / number.change, 1 / order);
+  } else {
+    number.step = StepVerdict::kSensitive;
+  }
 }
 
 }  // namespace gurney::study

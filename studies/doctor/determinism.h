@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/doctor/finding.h"
+#include "studies/doctor/examination.h"
 
 namespace gurney::doctor {
 

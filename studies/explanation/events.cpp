@@ -1,7 +1,6 @@
 #include "studies/explanation/events.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -145,7 +144,7 @@ std::string hit_text(const Impact& impact) {
   return impact.body == "chassis" ? what : what + " (" + impact.body + ")";
 }
 
-/// Of each pair the first impact and the fastest.
+/// First and fastest impact of each pair.
 void add_impacts(const Response& response, const std::vector<std::string>& names,
                  std::vector<Event>& events) {
   std::map<std::pair<std::size_t, std::string>, std::pair<const Impact*, const Impact*>> pairs;

@@ -41,7 +41,7 @@ struct Skid {
 };
 Skid first_skid(const EquipmentModel& item, const std::vector<Sample>& history);
 
-/// What happened, by time. Times of impacts, tethers, zones, overturning and peaks are those of the
+/// Events by time. Times of impacts, tethers, zones, overturning and peaks are those of the
 /// response; the others are found in the histories.
 std::vector<Event> events_of(const study::RunFacts& facts, const Response& response);
 

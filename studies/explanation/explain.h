@@ -31,4 +31,22 @@ const Impact* hardest_impact(const Response& response, std::size_t item,
 /// The spacing has no influence on the results.
 RunOptions finely_stored(RunOptions settings, const FloorMotion& floor, std::size_t items);
 
+/// The angle at which an item stands on its edge in a sample, towards where it tilts; NaN while it
+/// tilts by less than 0.1 degrees, where that is no direction [rad].
+double critical_tilt(const EquipmentModel& item, const Sample& sample);
+
+/// @param until  overturning, or the end [s]
+TiltMargin tilt_margin(const EquipmentModel& item, const std::vector<Sample>& history,
+                       double until);
+
+/// Force that holds an item and capacity of its casters, in a sample [N].
+struct Grip {
+  double demand = 0, grip = 0;
+};
+Grip grip_of(const study::RunFacts& facts, std::size_t item, const Sample& sample);
+
+/// Until the item has overturned, or the end.
+GripMargin grip_margin(const study::RunFacts& facts, std::size_t item,
+                       const std::vector<Sample>& history, double until);
+
 }  // namespace gurney::explanation

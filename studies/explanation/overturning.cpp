@@ -80,7 +80,7 @@ HalfCycle half_cycle_of(const Component& along, Rise rise) {
   return result;
 }
 
-/// Of those that end between these times, or go on at `to`.
+/// Half cycles that end between these times, or go on at `to`.
 std::optional<HalfCycle> largest(const FloorMotion& floor, const Vector2& direction, double from,
                                  double to) {
   const Component along = component_of(floor, direction, from - kBefore, to);

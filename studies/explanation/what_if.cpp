@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <mutex>
 
@@ -14,7 +13,6 @@
 #include "engine/run/run.h"
 #include "engine/scene/perturbed.h"
 #include "studies/explanation/explain.h"
-#include "studies/explanation/margins.h"
 #include "studies/explanation/words.h"
 #include "studies/findings/findings.h"
 #include "studies/statistics/bands.h"
@@ -39,7 +37,7 @@ void lengthen_tethers(Scene& scene, std::size_t item) {
           tether.slack_length, (tether.anchor - on_floor(scene.items[item], tether.point)).norm());
 }
 
-/// What the item stands in; empty: nothing.
+/// Obstacle that the item overlaps at the start; empty: none.
 std::string obstacle(const Scene& scene, std::size_t item) {
   if (scene.items.size() == 1 && scene.room.empty()) return {};
   for (const Overlap& overlap : find_overlaps(scene)) {
@@ -189,7 +187,7 @@ class Variants {
   std::vector<Variant> variants_;
 };
 
-/// Of one run.
+/// Outcome of one run.
 struct RunOutcome {
   std::string failure;
   double peak_displacement = 0, tilt_ratio = 0, hardest_impact = 0;
@@ -233,7 +231,7 @@ RunOutcome outcome_of(const study::RunFacts& facts, const Scene& scene, const Ex
   return result;
 }
 
-/// Of an even number the mean of the middle two.
+/// Median; of an even number the mean of the middle two.
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   std::ranges::sort(values);
@@ -291,7 +289,7 @@ std::string clauses(const std::vector<const VariantOutcome*>& outcomes) {
   return findings::listed(names);
 }
 
-/// What the best of those that prevent it leave.
+/// Motion that remains with the best of the preventing variants.
 std::string left_over(const VariantOutcome& best, const study::UnitSystem& units) {
   return fmt::format(" {} keeps it nearest to its place: it then moves by up to {}.", best.clause,
                      length(best.peak_displacement, units));

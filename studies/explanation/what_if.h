@@ -28,7 +28,7 @@ std::vector<Variant> variants_of(const study::RunFacts& facts, const Explanation
 /// Displacement of an event that counts as prevented [m].
 inline constexpr double kHarmless = 0.05;
 
-/// What one variant did to the explained item. With replicas numbers are medians.
+/// Effect of one variant on the explained item. With replicas numbers are medians.
 struct VariantOutcome {
   std::string name, clause;
   std::string reason;            ///< why it was not run, or failed; empty: it is there

@@ -20,7 +20,7 @@ std::string towards(double direction, const study::UnitSystem& units);
 /// "front left" for a direction from the front of an item, anticlockwise [rad].
 std::string side_of(double direction);
 
-/// Of an item that moved against the direction of the half cycle.
+/// Sentence on an item that moved against the direction of the half cycle.
 std::string sentence(const HalfCycle& of, const study::UnitSystem& units);
 
 /// How far one run shows the motion of an item; without a full stop.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -10,7 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/base/unit_table.h"
 #include "equipment/catalogue/uncertainty.h"
-#include "studies/analysis/run_levels.h"
+#include "studies/analysis/demand_runs.h"
 #include "studies/exports/export.h"
 #include "studies/results/columns.h"
 #include "studies/results/hdf5_reader.h"

@@ -12,7 +12,7 @@ namespace gurney::figures {
 /// Paper of a figure, which is laid out for its width. Texts are 10 to 12 px.
 struct PlotPage {
   double width = 700;  ///< [px]
-  /// Of a panel at most so many marks, and so many curves without a name, are drawn, evenly
+  /// A panel shows at most so many marks, and so many curves without a name, evenly
   /// chosen; 0: all. The note says so.
   std::size_t most_marks = 0;
   study::UnitSystem units = {};  ///< of what does not bring its own

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
-#include "studies/analysis/stored_impacts.h"
+#include "studies/analysis/stored_histories.h"
 #include "studies/figures/chart.h"
 
 namespace gurney::figures {

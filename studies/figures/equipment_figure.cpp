@@ -36,7 +36,7 @@ double plan_half_width(const report::EquipmentFacts& facts) {
   return 1.1 * reach;
 }
 
-/// Of both side views, so that a millimetre is as long in each.
+/// Scale of both side views, so that a millimetre is as long in each.
 double side_half_width(const report::EquipmentFacts& facts) {
   return std::max(plan_half_width(facts), 1.1 * 0.55 * facts.sheet.size.z());
 }

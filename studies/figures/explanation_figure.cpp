@@ -80,7 +80,7 @@ struct Panels {
     return made;
   }
 
-  /// What lies on the floor has a tilt that hides all others.
+  /// An item that lies on the floor has a tilt that hides all others.
   Panel tilt() const {
     Panel made = panel("Tilt against critical tilt", "Tilt", "rad");
     made.curves = {curve("tilt", 0, "rad", of.tracks.tilt),

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/analysis/report_unit.h"
+#include "studies/analysis/study_data.h"
 #include "studies/figures/labels.h"
 
 namespace gurney::figures {
@@ -54,7 +54,7 @@ void add_fractions(Panel& panel, const std::vector<statistics::Stripe>& stripes,
   panel.marks.push_back(std::move(marks));
 }
 
-/// Of a figure of one study: marks of fewer runs would be 0 or 1 by chance.
+/// Least runs of a mark in a figure of one study: marks of fewer runs would be 0 or 1 by chance.
 double fewest_of(const std::vector<statistics::Stripe>& stripes) {
   constexpr double kFewest = 3;
   double most = 0;

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "studies/analysis/fragility_result.h"
-#include "studies/analysis/vector_result.h"
 #include "studies/figures/chart.h"
 #include "studies/report/comparison_report.h"
 

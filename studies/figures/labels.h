@@ -7,7 +7,7 @@
 
 namespace gurney::figures {
 
-/// What axes call a column of the results: "Peak displacement" of `peak_displacement`, "Tilt" of
+/// Title of an axis for a column of the results: "Peak displacement" of `peak_displacement`, "Tilt" of
 /// `tilt`, "Peak floor acceleration" of `pfa`.
 std::string label_of(const std::string& column);
 

@@ -2,11 +2,54 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "studies/figures/svg.h"
-
 namespace gurney::figures {
+
+/// How a line or an area is drawn. An empty colour draws nothing.
+struct Pen {
+  std::string stroke = "#000000";
+  double width = 1;
+  std::string dash = {};  ///< SVG stroke-dasharray, such as "4 3"
+  std::string fill = {};
+  double opacity = 1;
+};
+
+enum class Anchor { kStart, kMiddle, kEnd };
+
+struct TextStyle {
+  double size = 11;  ///< [px]
+  Anchor anchor = Anchor::kStart;
+  bool bold = false;
+  bool upwards = false;  ///< turned by 90 degrees, reads from below
+  std::string color = "#222222";
+};
+
+/// A picture in Scalable Vector Graphics; x to the right, y down, in px.
+class Svg {
+ public:
+  using Points = std::vector<std::pair<double, double>>;
+
+  Svg(double width, double height);
+
+  void line(double x1, double y1, double x2, double y2, const Pen& pen);
+  void rectangle(double x, double y, double width, double height, const Pen& pen);
+  void circle(double x, double y, double radius, const Pen& pen);
+  void polyline(const Points& points, const Pen& pen, bool closed = false);
+  void text(double x, double y, const std::string& text, const TextStyle& style = {});
+
+  /// Later marks are drawn inside this rectangle only, until end_clip().
+  void begin_clip(double x, double y, double width, double height);
+  void end_clip();
+
+  std::string str() const;
+
+ private:
+  std::string body_;
+  double width_, height_;
+  int clips_ = 0;
+};
 
 /// Smallest and largest value of an axis.
 struct Range {
@@ -89,7 +132,7 @@ struct Bar {
   Pen pen;
 };
 
-/// What lasts from one value of x to another, over the whole height, with its name at the top.
+/// Span from one value of x to another, over the whole height, with its name at the top.
 struct Span {
   Range x;
   std::string label, fill;
@@ -138,7 +181,7 @@ class Scaling {
   double x(double value) const { return frame_.x + (value - x_.low) / x_.span() * frame_.width; }
   double y(double value) const { return frame_.y + (y_.high - value) / y_.span() * frame_.height; }
 
-  /// Of the same axes for values in SI, where those of the axes are in a unit.
+  /// Mapping of the same axes for values in SI, where those of the axes are in a unit.
   Scaling of_si(double unit_in_si) const {
     return {frame_,
             {x_.low * unit_in_si, x_.high * unit_in_si},

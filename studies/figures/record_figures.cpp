@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/base/units.h"
-#include "groundmotions/measures/combined_spectrum.h"
-#include "groundmotions/measures/integrate.h"
+#include "groundmotions/measures/combination.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "studies/figures/chart.h"
 

@@ -8,7 +8,7 @@
 
 namespace gurney::figures {
 
-/// One page of SVG: the scene from above (plan_view.h); for a single item histories of
+/// One page of SVG: the scene from above; for a single item histories of
 /// the floor acceleration, displacement, velocity, acceleration, yaw and tilt, swivel angles,
 /// normal forces and energy, and when it is pulled its pull as well; for several items the distance
 /// from the start and the tilt of each, in the colours of the plan. Without a history it says so.

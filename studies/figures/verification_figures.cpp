@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/convergence/judge.h"
+#include "studies/convergence/convergence.h"
 #include "studies/figures/labels.h"
 
 namespace gurney::figures {

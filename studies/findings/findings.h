@@ -60,7 +60,7 @@ inline constexpr const char* kTo = " to ";
 
 /// How a number is written. Programs get it with all digits.
 struct Format {
-  /// Of fmt. Empty: four significant ones, with an exponent only below 1e-4 and from 1e6 on.
+  /// Format of fmt. Empty: four significant ones, with an exponent only below 1e-4 and from 1e6 on.
   std::string digits = ".4g";
   std::string unit = {};       ///< that people read; empty: of none
   double in_si = 1;            ///< size of that unit

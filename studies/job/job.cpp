@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +23,6 @@
 #include "studies/job/old_names.h"
 #include "studies/job/record_reader.h"
 #include "studies/job/room_reader.h"
-#include "studies/job/supports_reader.h"
 
 namespace gurney::study {
 namespace {

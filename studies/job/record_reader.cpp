@@ -9,11 +9,11 @@
 #include "engine/base/units.h"
 #include "engine/config/file_snapshot.h"
 #include "equipment/catalogue/catalogue.h"
-#include "groundmotions/buildings/building_reader.h"
-#include "groundmotions/processing/step_reader.h"
+#include "groundmotions/buildings/building.h"
+#include "groundmotions/processing/pipeline.h"
 #include "groundmotions/record/acceleration_unit.h"
-#include "groundmotions/record/time_step_range.h"
-#include "groundmotions/suites/glob.h"
+#include "groundmotions/record/record.h"
+#include "groundmotions/suites/suite.h"
 #include "studies/job/scale_reader.h"
 
 namespace gurney::study {

@@ -20,4 +20,9 @@ void furnish(config::Table& root, std::vector<config::Table>& items, JobReading&
 /// end. Errors are noted in the document.
 void read_tethers(config::Table& root, JobReading& job);
 
+/// The key `on` of items: what each stands on in place of the floor, an item before it or a box or column of the
+/// room. Its position and yaw are then those in the axes of that item. The room is in the scene already.
+/// @param items  as Scene::items
+void read_supports(const std::vector<config::Table>& items, JobReading& job);
+
 }  // namespace gurney::study

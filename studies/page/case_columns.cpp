@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/analysis/configuration_view.h"
+#include "studies/analysis/demand_runs.h"
 #include "studies/analysis/demands.h"
-#include "studies/analysis/run_levels.h"
 #include "studies/figures/labels.h"
 
 namespace gurney::page {

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "studies/analysis/report_unit.h"
 #include "studies/analysis/study_data.h"
 
 namespace gurney::page {

@@ -11,7 +11,6 @@
 #include "studies/job/job.h"
 #include "studies/page/drawing.h"
 #include "studies/page/study_page.h"
-#include "studies/plan/data_files.h"
 #include "studies/plan/study_job.h"
 #include "studies/report/equipment_report.h"
 

@@ -5,7 +5,7 @@
 
 namespace gurney::picture {
 
-/// What a figure can be written as.
+/// File format of a figure.
 enum class Format { kSvg, kPdf, kPng };
 
 /// The format that a file's suffix names.
@@ -26,5 +26,9 @@ struct Style {
 /// figure gives the same bytes. PNG has 300 pixels to the inch.
 /// @throws Error for a figure that is too large
 std::string written(const std::string& svg, Format format, const Style& style = {});
+
+/// The figure without colours: each as grey as it looks. The colours of curves
+/// (figures::palette()) become black, or one grey, and differ by dashes.
+std::string in_grey(const std::string& svg);
 
 }  // namespace gurney::picture

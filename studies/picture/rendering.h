@@ -4,7 +4,7 @@
 
 namespace gurney::picture {
 
-/// Of a page [in].
+/// Size of a page [in].
 struct Size {
   double width = 0, height = 0;
 };

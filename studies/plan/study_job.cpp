@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
-#include <set>
-#include <sstream>
 #include <utility>
 
 #include "engine/base/diagnostics.h"
 #include "engine/base/error.h"
+#include "engine/base/hash/sha256.h"
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
+#include "equipment/catalogue/catalogue.h"
 #include "studies/job/old_names.h"
 #include "studies/limit_states/limit_state.h"
 #include "studies/plan/study.h"
@@ -26,26 +27,6 @@ bool is_array_of_tables(const Node& node) {
          std::ranges::all_of(node.elements,
                              [](const Node& each) { return each.kind == Node::Kind::kTable; });
 }
-
-}  // namespace
-
-void flatten(const Node& node, const std::string& path,
-             std::map<std::string, std::string>& entries) {
-  if (node.kind == Node::Kind::kTable) {
-    for (const Node& each : node.elements)
-      flatten(each, path.empty() ? each.key : path + "." + each.key, entries);
-  } else if (is_array_of_tables(node)) {
-    for (std::size_t i = 0; i < node.elements.size(); ++i) {
-      const Node* name = node.elements[i].find("name");
-      flatten(node.elements[i],
-              fmt::format("{}[{}]", path, name ? name->text : std::to_string(i + 1)), entries);
-    }
-  } else {
-    entries[path] = config::describe(node);
-  }
-}
-
-namespace {
 
 using config::Document;
 using config::FileSnapshot;
@@ -145,7 +126,33 @@ void collect(Diagnostics& errors, Work work) {
   }
 }
 
+namespace fs = std::filesystem;
+
+std::string name_of(const fs::path& path, const fs::path& beside) {
+  const fs::path data = fs::absolute(equipment::data_folder()).lexically_normal();
+  const fs::path in_catalogue = path.lexically_relative(data);
+  const std::string from = in_catalogue.string();
+  if (from.starts_with("equipment/") || from.starts_with("groundmotions/buildings/")) return from;
+  return path.lexically_proximate(beside).string();
+}
+
 }  // namespace
+
+void flatten(const Node& node, const std::string& path,
+             std::map<std::string, std::string>& entries) {
+  if (node.kind == Node::Kind::kTable) {
+    for (const Node& each : node.elements)
+      flatten(each, path.empty() ? each.key : path + "." + each.key, entries);
+  } else if (is_array_of_tables(node)) {
+    for (std::size_t i = 0; i < node.elements.size(); ++i) {
+      const Node* name = node.elements[i].find("name");
+      flatten(node.elements[i],
+              fmt::format("{}[{}]", path, name ? name->text : std::to_string(i + 1)), entries);
+    }
+  } else {
+    entries[path] = config::describe(node);
+  }
+}
 
 void StudyJob::check_limit_states(const Node& study, const Job& job) const {
   const Node* const stated = study.find("limit_state");
@@ -223,5 +230,13 @@ Job StudyJob::job(std::size_t configuration, const std::optional<Draw>& draw,
 }
 
 bool has_study(const std::string& path) { return Document(path).tree().find("study") != nullptr; }
+
+std::map<std::string, std::string> data_files(const StudyJob& job) {
+  const fs::path file = fs::absolute(job.file()).lexically_normal();
+  std::map<std::string, std::string> hashes;
+  for (const auto& [path, bytes] : job.files().files())
+    if (path != file) hashes[name_of(path, file.parent_path())] = sha256(bytes);
+  return hashes;
+}
 
 }  // namespace gurney::study

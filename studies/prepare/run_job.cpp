@@ -12,7 +12,6 @@
 #include "groundmotions/assembly/plausibility.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/measures/residual.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/record/record_motion.h"
 #include "studies/job/scale_reader.h"

@@ -14,7 +14,7 @@ std::string text(const findings::Section& section);
 std::string text(const std::vector<findings::Section>& sections);
 std::string text(const findings::Table& table);
 
-/// What has a key, SI units, ended by a newline.
+/// Prints facts with a key in SI units, ended by a newline.
 std::string json(const findings::Section& section);
 
 /// An array of objects, one for each section.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/base/printable.h"
-#include "studies/render/emphasis.h"
 #include "studies/render/render.h"
 #include "studies/render/wrapped.h"
 
@@ -121,7 +120,7 @@ bool is_shown(const Sentence&) { return true; }
 
 using Shown = std::vector<const Part*>;
 
-/// What people read, sections without a title by their parts.
+/// Prints text for people, sections without a title by their parts.
 Shown shown_parts(const std::vector<Part>& parts) {
   Shown shown;
   for (const Part& part : parts) {

@@ -12,4 +12,14 @@ std::size_t columns();
 /// @param used  columns before the first word
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used);
 
+enum class Colour { kAuto, kAlways, kNever };
+
+/// Whether text is emphasised by the codes of a terminal. kAuto, which holds until another is
+/// stated: where the output is a terminal, TERM is not "dumb", and NO_COLOR is empty or not set
+/// (no-color.org).
+void set_colour(Colour when);
+
+/// A title or a heading, bold where text is emphasised. An empty text stays empty.
+std::string bold(const std::string& text);
+
 }  // namespace gurney::render

@@ -193,7 +193,7 @@ Table excluded_table(const calibration::Calibration& c) {
   return table;
 }
 
-// What follows from them.
+// Conclusions.
 
 std::string result_of(const Table& tests, std::size_t row) {
   constexpr double kClear = 0.05;

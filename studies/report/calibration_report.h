@@ -9,7 +9,7 @@
 
 namespace gurney::report {
 
-/// What a calibration found, in SI units, as `gurney calibrate --json` prints it.
+/// Findings of a calibration, in SI units, as `gurney calibrate --json` prints it.
 /// @param without  why there is no caster file of a caster
 findings::Section calibration_facts(const calibration::Calibration& calibration,
                                     const std::vector<calibration::CasterFile>& casters = {},

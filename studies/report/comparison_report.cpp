@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "studies/analysis/curve_audit.h"
-#include "studies/analysis/report_unit.h"
+#include "studies/analysis/study_data.h"
 #include "studies/report/formats.h"
 
 namespace gurney::report {

@@ -7,7 +7,7 @@
 
 namespace gurney::report {
 
-/// What `gurney compare` reports of two configurations.
+/// Report of `gurney compare` on two configurations.
 struct ComparisonReport {
   study::ConfigurationView a, b;
   std::string name_a, name_b;  ///< to distinguish them

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "studies/report/formats.h"
 
 namespace gurney::report {

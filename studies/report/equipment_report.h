@@ -25,4 +25,8 @@ struct EquipmentFacts {
 /// @param with_assumptions  people read them one by one
 findings::Section equipment_findings(const EquipmentFacts& facts, bool with_assumptions);
 
+/// The catalogue as tables.
+/// @throws Error with the errors of a catalogue file.
+findings::Section equipment_list();
+
 }  // namespace gurney::report

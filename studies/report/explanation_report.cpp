@@ -30,7 +30,7 @@ using study::UnitSystem;
 Value time_of(double time) { return time < 0 ? Value() : Value(time); }
 Value text_of(const std::string& text) { return text.empty() ? Value() : Value(text); }
 
-// What happened.
+// Events.
 
 /// Events that people read of: of the item, and the worst of others.
 bool belongs(const Event& event, const Explanation& of) {
@@ -105,7 +105,7 @@ std::string tilt_text(const ItemFacts& item, const UnitSystem& units) {
       tilt.time_passed >= 0 ? " It was past the edge and the floor brought it back." : "");
 }
 
-/// What keeps an item in its place on the floor.
+/// Restraint of an item on the floor.
 std::string grip_words(const ItemFacts& item) {
   if (!item.has_casters) return "friction on the floor";
   if (!item.grip.braked) return "the rolling resistance of its casters (no brake is on)";
@@ -247,7 +247,7 @@ Section other_items(const Explanation& of) {
   return all;
 }
 
-// What would have prevented it.
+// Preventing variants.
 
 Table variants_table(const UnitSystem& units) {
   return {"variants",

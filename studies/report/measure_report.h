@@ -1,14 +1,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "studies/analysis/measure_choice.h"
 #include "studies/findings/findings.h"
 
 namespace gurney::report {
 
-/// What `gurney measures` reports of one limit state of one configuration.
+/// Report of `gurney measures` on one limit state of one configuration.
 struct MeasureReport {
   std::string configuration;
   std::string state, words;  ///< name and meaning of the limit state

@@ -129,7 +129,7 @@ Texts motions(const Response& response, const Texts& names, const UnitSystem& un
   return lines;
 }
 
-// What happened on the way.
+// Events on the way.
 
 std::string overturning(const explanation::Overturning& of, const std::string& name,
                         const UnitSystem& units) {

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "studies/report/failed_runs.h"
 #include "studies/report/formats.h"
-#include "studies/report/scale_factors.h"
+#include "studies/report/study_report.h"
 
 namespace gurney::report {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace gurney::report {
 
-/// What a results file holds. JSON of a run is in SI unless units are chosen.
+/// Contents of a results file. JSON of a run is in SI unless units are chosen.
 findings::Section overview_findings(const study::StudyOverview& overview);
 findings::Section overview_findings(const study::RunOverview& overview,
                                     const study::UnitSystem& units = {});

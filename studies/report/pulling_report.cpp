@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "engine/base/units.h"
-#include "studies/calibration/trials/instrument_noise.h"
 #include "studies/calibration/trials/setup_reader.h"
+#include "studies/calibration/trials/trial.h"
 
 namespace gurney::report {
 namespace {

@@ -19,7 +19,21 @@ findings::Section record_report(
     const groundmotions::Record& record, const std::vector<RecordFact>& facts,
     const std::vector<groundmotions::Measure>& measures = groundmotions::common_measures());
 
-/// What looks wrong: warnings of reading, of amplitudes, of what is left at the end.
+/// Doubts about a record: warnings of reading, of amplitudes, of what is left at the end.
 std::vector<std::string> record_findings(const groundmotions::Record& record);
+
+/// One line for each record, and the lines above them; docs/records.md explains the columns.
+/// @param width  of a line; columns are left out where it is too narrow for all
+std::string record_table_head(std::size_t width = std::string::npos);
+std::string record_table_line(const groundmotions::Record& record,
+                              std::size_t width = std::string::npos);
+
+/// The width of the terminal, or what the environment variable COLUMNS states; without both, no
+/// limit.
+std::size_t table_width();
+
+/// Eight hexadecimal digits that identify the files of a record: of the SHA-256 of its file or, of
+/// several, of the SHA-256 of their hashes one after the other, h1 first. "-" for no file.
+std::string short_hash(const groundmotions::Record& record);
 
 }  // namespace gurney::report

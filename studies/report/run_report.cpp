@@ -99,7 +99,7 @@ Table json_rows(const std::string& key, std::span<const study::TableColumn<Row>>
   return rows_of(key, "", columns, 0, names, rows, {}, [](std::size_t, const char*) { return ""; });
 }
 
-// What was run.
+// Inputs of the run.
 
 double mass_of(const EquipmentModel& item) { return whole_item(item).mass; }
 
@@ -151,7 +151,7 @@ void add_record(const std::optional<study::RecordFacts>& record, const UnitSyste
   all.add(std::move(of.add(std::move(peaks))));
 }
 
-// What came out, item by item.
+// Results, item by item.
 
 /// Labels of the demands, shaped as these.
 Section settled_section(const std::vector<SettledDemand>& all, const EquipmentModel& model) {
@@ -297,7 +297,7 @@ std::string numerical_note(const std::vector<ItemResponse>& items, const UnitSys
       units.chosen() ? units.text(largest, "m/s2") : fmt::format("{:.3g} m/s2", largest));
 }
 
-// What it rests on.
+// Assumptions.
 
 void add_draw(const study::RunFacts& facts, Section& all) {
   if (!facts.draw) {

@@ -13,7 +13,7 @@ namespace gurney::report {
 findings::Section run_findings(const study::RunFacts& facts, const Response& response,
                                const study::UnitSystem& units = {});
 
-/// What happened, in sentences: how far each item moved and what lifted, what overturned and why,
+/// Narrative of a run in sentences: how far each item moved and what lifted, what overturned and why,
 /// what hit what (fastest first), which zones are blocked, which tethers got taut or broke, and how
 /// far the numbers can be trusted: predictability, the change with half the time step, and within
 /// which fraction each demand is settled.

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "studies/analysis/study_sensitivity.h"
 #include "studies/findings/findings.h"
 
 namespace gurney::report {
 
-/// What `gurney sensitivity` reports of one configuration.
+/// Report of `gurney sensitivity` on one configuration.
 struct SensitivityReport {
   std::string configuration;
   study::StudySensitivity found;
@@ -22,7 +21,7 @@ std::string name_of(const study::SensitiveInput& input);
 /// Indices and tornado of the inputs.
 findings::Table sensitive_inputs(const SensitivityReport& report);
 
-/// What the indices mean and how far to trust them, a sentence each.
+/// Meaning of the indices and how far to trust them, a sentence each.
 findings::Texts sensitivity_remarks(const study::StudySensitivity& found);
 
 /// "peak_tilt, brakes on: mean 3.2 deg, standard deviation 0.4 deg, 100 runs"

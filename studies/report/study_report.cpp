@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "studies/analysis/zone_occupancy.h"
-#include "studies/report/failed_runs.h"
 #include "studies/report/formats.h"
 
 namespace gurney::report {
@@ -116,6 +115,11 @@ findings::Table zone_findings(const study::StudyData& data) {
                each.least_free_width, each.smallest_free_width});
   }
   return table;
+}
+
+std::string failed_runs(std::size_t failed, std::size_t untrusted) {
+  return fmt::format("{} failed", failed) +
+         (untrusted > 0 ? fmt::format(" ({} untrusted)", untrusted) : "");
 }
 
 }  // namespace gurney::report

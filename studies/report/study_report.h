@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "studies/analysis/fragility_result.h"
 #include "studies/analysis/overview.h"
+#include "studies/analysis/scale_factors.h"
 #include "studies/findings/findings.h"
 
 namespace gurney::report {
@@ -17,5 +21,21 @@ findings::Section study_findings(const study::StudyOverview& overview, const stu
 
 /// How often items stood in the zones of the room.
 findings::Table zone_findings(const study::StudyData& data);
+
+/// "3 failed", or "3 failed (2 untrusted)" when some of them are.
+std::string failed_runs(std::size_t failed, std::size_t untrusted);
+
+/// @param note   for people, after the factors
+/// @param shown  for people too
+inline findings::Section scale_factor_findings(const study::ScaleFactors& factors,
+                                               const std::string& note = {}, bool shown = true) {
+  findings::Section all{"scale_factors"};
+  all.json("lowest", factors.lowest()).json("highest", factors.highest());
+  all.json("records", factors.records());
+  all.json("limits", findings::Numbers{study::kSmallestFactor, study::kLargestFactor});
+  all.json("records_above", factors.above()).json("records_below", factors.below());
+  if (shown) all.text("scaling", "factors " + factors.text() + note);
+  return all;
+}
 
 }  // namespace gurney::report

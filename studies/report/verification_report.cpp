@@ -2,6 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "studies/build_info/build_info.h"
+
 namespace gurney::report {
 namespace {
 
@@ -42,6 +49,219 @@ std::string stock_text(const CaseRun& run) {
   return text;
 }
 
+using namespace findings;
+using Cases = std::vector<const Section*>;
+
+const Format kSeven{".7g"}, kSix{".6g"}, kThree{".3g"}, kTwo{".2g"}, kUsed{".3g", "%"};
+
+Table checks_table(const std::string& key, const verification::Findings& findings) {
+  Table table{key,
+              "Every check of every case",
+              {{"quantity", "quantity"},
+               {"where", "worst at"},
+               {"unit", "unit"},
+               {"computed", "computed", kSeven},
+               {"reference", "reference", kSeven},
+               {"error", "error", kTwo, "computed less reference"},
+               {"tolerance", "tolerance", kTwo},
+               {"passed", "passed"},
+               {"derivation", "where the tolerance comes from"}}};
+  for (const verification::Check& c : findings.checks)
+    table.add({c.quantity, c.where, c.unit, c.computed, c.reference, c.error(), c.tolerance,
+               c.passed(), c.derivation});
+  return table;
+}
+
+Section case_section(const verification::CaseRun& run) {
+  const verification::Statement& statement = run.family->statement;
+  Section of("cases[]");
+  of.json("name", run.name()).json("group", statement.group).json("title", statement.title);
+  of.json("equation", statement.equation).json("source", statement.source);
+  Table parameters{"parameters{}",
+                   "Parameters, and the ranges in which the closed forms hold",
+                   {{"", "parameter"},
+                    {"value", "value", kSix},
+                    {"unit", "unit"},
+                    {"lowest", "lowest", kSix},
+                    {"highest", "highest", kSix}}};
+  for (std::size_t i = 0; i < run.set.values.size(); ++i) {
+    const verification::Parameter& p = run.family->parameters[i];
+    parameters.add({p.name, run.set.values[i], p.unit, p.low, p.high});
+  }
+  of.add(std::move(parameters)).json("passed", run.findings.passed());
+  of.add(checks_table("checks", run.findings));
+  Section stock("stock_bullet");
+  for (const verification::StockRun& each : run.stock)
+    stock.add(checks_table(each.solver, each.findings));
+  return std::move(of.add(std::move(stock)).json("seconds", run.seconds));
+}
+
+// Conclusions.
+
+bool passed(const Section& of) { return text_of(of, "passed") == "yes"; }
+
+std::string form_of(const Section& of) {
+  const std::string name = text_of(of, "name");
+  return name.substr(0, name.find('/'));
+}
+
+std::string unit_of(const Table& checks, std::size_t row) {
+  const std::string& unit = text_in(checks, row, "unit");
+  return unit.empty() ? "1" : unit;
+}
+
+/// The check that uses most of its tolerance, one that is no number before all.
+std::size_t worst_of(const Table& checks) {
+  std::size_t worst = 0;
+  const auto use = [&](std::size_t row) {
+    const double used = used_of(checks, row);
+    return std::isnan(used) ? std::numeric_limits<double>::infinity() : used;
+  };
+  for (std::size_t row = 1; row < checks.rows.size(); ++row)
+    if (use(row) > use(worst)) worst = row;
+  return worst;
+}
+
+/// A table of every case, or of every check of it, after the name of the case.
+Table of_cases(const char* title, std::vector<Column> columns) {
+  columns.insert(columns.begin(), {"", "case"});
+  return {"", title, std::move(columns)};
+}
+
+Table empty_checks(const char* title) {
+  Table all = of_cases(title, checks_table("", {}).columns);
+  all.columns.insert(all.columns.end() - 1, {"", "used", kUsed, "|error| over tolerance"});
+  return all;
+}
+
+void add_check(Table& all, const Section& of, const Table& checks, std::size_t row) {
+  std::vector<Cell> cells = checks.rows[row];
+  cells.insert(cells.begin(), text_of(of, "name"));
+  cells.insert(cells.end() - 1, 100 * used_of(checks, row));
+  all.add(std::move(cells));
+}
+
+Section glance(const Cases& cases) {
+  std::size_t count = 0, failed = 0;
+  double seconds = 0, most = 0;
+  std::string worst = "none used";
+  Table wrong = empty_checks("Checks that failed");
+  for (const Section* each : cases) {
+    const Table& checks = *find<Table>(*each, "checks");
+    count += checks.rows.size();
+    failed += !passed(*each);
+    seconds += std::get<double>(find<Fact>(*each, "seconds")->value);
+    for (std::size_t row = 0; row < checks.rows.size(); ++row) {
+      if (!std::get<bool>(value_in(checks, row, "passed"))) add_check(wrong, *each, checks, row);
+      if (!(used_of(checks, row) > most)) continue;
+      most = used_of(checks, row);
+      worst = fmt::format("{:.3g} %: {}, {}", 100 * most, text_of(*each, "name"),
+                          text_in(checks, row, "quantity"));
+    }
+    if (!checks.rows.empty()) continue;
+    wrong.add({text_of(*each, "name"), "checks nothing"});
+    wrong.rows.back().resize(wrong.columns.size(), Value());
+  }
+  Section all("", "At a glance");
+  all.text("result", failed == 0 ? "all cases passed"
+                                 : fmt::format("{} of {} cases failed", failed, cases.size()));
+  all.text("cases", cases.size()).text("checks", count).text("most of a tolerance", worst);
+  all.text("computing time", seconds, {".3g", "s"});
+  all.say(
+      "Each case compares what the engine computes with a closed form or a law that it must obey. "
+      "A tolerance is a formula of the case's parameters: it was not fitted to the results.");
+  if (failed > 0)
+    all.add(List{"",
+                 kCautions,
+                 {fmt::format("{} of {} cases failed, with {} failed checks: the engine of this "
+                              "program does not compute what it should here.",
+                              failed, cases.size(), wrong.rows.size())}});
+  return std::move(all.add(std::move(wrong)));
+}
+
+Section by_group(const Cases& cases) {
+  Section all("", "Cases");
+  std::vector<std::string> groups;
+  for (const Section* each : cases)
+    if (const std::string group = text_of(*each, "group");
+        std::ranges::find(groups, group) == groups.end())
+      groups.push_back(group);
+  for (const std::string& group : groups) {
+    Table table = of_cases("", {{"", "passed"},
+                                {"", "used", kUsed, "|error| over tolerance"},
+                                {"", "most by"},
+                                {"", "error", kTwo, "computed less reference"},
+                                {"", "tolerance", kTwo},
+                                {"", "unit"},
+                                {"", "checks"}});
+    table.title = "Cases of " + group;
+    for (const Section* each : cases) {
+      if (text_of(*each, "group") != group) continue;
+      const Table& checks = *find<Table>(*each, "checks");
+      const std::size_t worst = worst_of(checks), count = checks.rows.size();
+      if (count == 0)
+        table.add({text_of(*each, "name"), passed(*each), Value(), "checks nothing", Value(),
+                   Value(), "", count});
+      else
+        table.add({text_of(*each, "name"), passed(*each), 100 * used_of(checks, worst),
+                   value_in(checks, worst, "quantity"), value_in(checks, worst, "error"),
+                   value_in(checks, worst, "tolerance"), unit_of(checks, worst), count});
+    }
+    all.add(std::move(table));
+  }
+  return all;
+}
+
+Section forms(const Cases& cases) {
+  Table table{"",
+              "Closed forms",
+              {{"", "closed form"},
+               {"", "what happens"},
+               {"", "reference"},
+               {"", "source"},
+               {"", "cases"}}};
+  std::map<std::string, std::size_t> counts;
+  for (const Section* each : cases) ++counts[form_of(*each)];
+  for (const Section* each : cases) {
+    const auto found = counts.extract(form_of(*each));
+    if (!found.empty())
+      table.add({found.key(), text_of(*each, "title"), text_of(*each, "equation"),
+                 text_of(*each, "source"), found.mapped()});
+  }
+  return std::move(Section("", "Closed forms and their sources").add(std::move(table)));
+}
+
+Section numbers(const Cases& cases) {
+  const Section example = example_of_verification_facts();
+  Table checks = empty_checks("Every check of every case"),
+        parameters =
+            of_cases("Parameters, and the ranges in which the closed forms hold",
+                     find<Table>(*find<Section>(example, "cases[]"), "parameters{}")->columns),
+        others = of_cases("Errors of other solvers on the same cases",
+                          {{"", "solver"},
+                           {"", "quantity"},
+                           {"", "unit"},
+                           {"", "error", kTwo},
+                           {"", "tolerance of the engine", kTwo}});
+  for (const Section* each : cases) {
+    const std::string name = text_of(*each, "name");
+    const Table& of = *find<Table>(*each, "checks");
+    for (std::size_t row = 0; row < of.rows.size(); ++row) add_check(checks, *each, of, row);
+    for (std::vector<Cell> row : find<Table>(*each, "parameters{}")->rows) {
+      row.insert(row.begin(), name);
+      parameters.add(std::move(row));
+    }
+    for (const Part& part : find<Section>(*each, "stock_bullet")->parts) {
+      const Table& solver = std::get<Table>(part);
+      for (std::size_t row = 0; row < solver.rows.size(); ++row)
+        others.add({name, solver.key, value_in(solver, row, "quantity"), unit_of(solver, row),
+                    value_in(solver, row, "error"), value_in(solver, row, "tolerance")});
+    }
+  }
+  Section all("", "All numbers");
+  return std::move(all.add(std::move(checks)).add(std::move(parameters)).add(std::move(others)));
+}
+
 }  // namespace
 
 std::string verification_text(const CaseRun& run, bool in_full) {
@@ -75,6 +295,58 @@ std::string verification_summary(const std::vector<CaseRun>& runs) {
                        checks, seconds);
   return fmt::format("{} of {} cases failed: {}\n", failed.size(), runs.size(),
                      fmt::join(failed, ", "));
+}
+
+Section verification_facts(const std::vector<verification::CaseRun>& runs) {
+  const build_info::BuildInfo build = build_info::build_info();
+  Section all("", "Verification of the engine");
+  all.json("schema", "gurney-verification/1");
+  Section provenance("", "Provenance");
+  provenance.fact("program_version", "gurney", build.program_version);
+  provenance.fact("git_commit", "commit", build.git_commit);
+  provenance.fact("compiler", "compiler", build.compiler);
+  provenance.fact("cpu_class", "CPU class", build.cpu_class);
+  all.add(std::move(provenance));
+  all.json("passed", std::ranges::all_of(runs, [](const verification::CaseRun& each) {
+             return each.findings.passed();
+           }));
+  for (const verification::CaseRun& run : runs) all.add(case_section(run));
+  return all;
+}
+
+Section example_of_verification_facts() {
+  verification::Family family;
+  family.parameters.push_back({"", "", 0, 1});
+  verification::CaseRun one{.family = &family, .set = {"", {0}}, .findings = {}, .stock = {}};
+  one.findings.checks.resize(1);
+  one.stock.push_back({kAnyKey, one.findings});
+  return verification_facts({one});
+}
+
+Cases verified_cases(const Section& facts) {
+  Cases cases;
+  for (const Part& part : facts.parts)
+    if (const auto* of = std::get_if<Section>(&part); of && of->key == "cases[]")
+      cases.push_back(of);
+  std::ranges::stable_sort(cases, {}, [](const Section* each) { return passed(*each); });
+  return cases;
+}
+
+double used_of(const Table& checks, std::size_t row) {
+  const double error = number_in(checks, row, "error"),
+               tolerance = number_in(checks, row, "tolerance");
+  if (!std::get<bool>(value_in(checks, row, "passed")) && !(tolerance > 0))
+    return std::numeric_limits<double>::infinity();
+  return error == 0 ? 0 : std::abs(error) / tolerance;
+}
+
+Section verification_findings(const Section& facts) {
+  const Cases cases = verified_cases(facts);
+  Section all("", facts.title);
+  all.add(glance(cases)).add(by_group(cases)).add(forms(cases)).add(numbers(cases));
+  for (const Part& part : facts.parts)
+    if (const auto* of = std::get_if<Section>(&part); of && of->title == "Provenance") all.add(*of);
+  return all;
 }
 
 }  // namespace gurney::report

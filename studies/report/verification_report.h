@@ -21,7 +21,7 @@ findings::Section verification_facts(const std::vector<verification::CaseRun>& r
 /// The same with one of everything, as a pattern for a reader.
 findings::Section example_of_verification_facts();
 
-/// What is to be read of them: failed checks first, cases by group, closed forms, all numbers.
+/// Report on all of them: failed checks first, cases by group, closed forms, all numbers.
 findings::Section verification_findings(const findings::Section& facts);
 
 /// The cases of verification_facts(), the failed ones first.

@@ -1,7 +1,6 @@
 #include "studies/results/output_files.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>

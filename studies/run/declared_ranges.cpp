@@ -1,7 +1,6 @@
 #include "studies/run/declared_ranges.h"
 
 #include <filesystem>
-#include <optional>
 #include <set>
 #include <utility>
 

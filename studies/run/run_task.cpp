@@ -1,7 +1,5 @@
 #include "studies/run/run_task.h"
 
-#include <cmath>
-
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/run/run.h"

@@ -7,7 +7,6 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
-#include "studies/run/identity_file.h"
 #include "studies/run/study_identity.h"
 
 namespace gurney::study {
@@ -19,22 +18,6 @@ constexpr std::size_t kListed = 12;  ///< shards or tasks in a message
 
 fs::path log_of(const fs::path& folder, const Shard& shard) {
   return folder / (shard.folder() + ".log");
-}
-
-/// Lists what the shards of one count lack, one line each.
-std::string missing_by_shard(const std::vector<std::size_t>& missing, std::size_t tasks,
-                             std::size_t count) {
-  std::string text;
-  std::size_t listed = 0;
-  for (std::size_t number = 1; number <= count; ++number) {
-    const Shard shard{number, count};
-    const auto lacks = std::ranges::count_if(missing, [&](auto task) { return shard.has(task); });
-    if (lacks == 0) continue;
-    if (++listed > kListed) return text + "\n  and more";
-    text +=
-        fmt::format("\n  shard {}/{} lacks {} of {}", number, count, lacks, shard.tasks_of(tasks));
-  }
-  return text;
 }
 
 /// The shards that have a folder with the file `study`, in no order.
@@ -98,27 +81,31 @@ std::string ShardFolders::missing() const {
   if (missing.empty()) return {};
   std::string text = fmt::format("{}: {} of {} analysis cases are missing", folder_.string(),
                                  missing.size(), of_task_.size());
-  const std::size_t count = shards_.front().count;
-  if (shards_.back().count == count)  // they are sorted
-    return text + missing_by_shard(missing, of_task_.size(), count);
+  if (shards_.back().count == shards_.front().count) {
+    std::size_t listed = 0;
+    for (const auto& [shard, lacking] : incomplete()) {
+      if (++listed > kListed) return text + "\n  and more";
+      text += fmt::format("\n  shard {}/{} lacks {} of {}", shard.number, shard.count, lacking,
+                          shard.tasks_of(of_task_.size()));
+    }
+    return text;
+  }
   missing.resize(std::min(missing.size(), kListed));
   return text +
          fmt::format(", such as {}; the shards are of several counts", fmt::join(missing, ", "));
 }
 
-std::vector<Shard> ShardFolders::incomplete() const {
+std::vector<ShardFolders::Incomplete> ShardFolders::incomplete() const {
   const std::size_t count = shards_.front().count;
-  std::vector<Shard> lacking;
-  if (shards_.back().count != count) return lacking;
+  std::vector<Incomplete> found;
+  if (shards_.back().count != count) return found;  // they are sorted
   for (std::size_t number = 1; number <= count; ++number) {
-    const Shard shard{number, count};
+    Incomplete each{{number, count}};
     for (std::size_t task = 0; task < of_task_.size(); ++task)
-      if (of_task_[task] == kNone && shard.has(task)) {
-        lacking.push_back(shard);
-        break;
-      }
+      each.missing += of_task_[task] == kNone && each.shard.has(task);
+    if (each.missing > 0) found.push_back(each);
   }
-  return lacking;
+  return found;
 }
 
 std::string ShardFolders::logs() const {

@@ -38,7 +38,11 @@ class ShardFolders {
   std::string missing() const;
 
   /// The shards that lack tasks; none where the shards are of several counts.
-  std::vector<Shard> incomplete() const;
+  struct Incomplete {
+    Shard shard;
+    std::size_t missing = 0;  ///< number of its tasks
+  };
+  std::vector<Incomplete> incomplete() const;
 
   /// The bytes of a task. @pre none is missing
   std::string read(std::size_t task) const { return folders_[of_task_[task]]->read(task); }

@@ -8,8 +8,6 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
-#include "studies/run/folder_lock.h"
-#include "studies/run/identity_file.h"
 #include "studies/run/part_folder.h"
 #include "studies/run/shard_folders.h"
 #include "studies/run/study_file.h"

@@ -16,7 +16,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
-#include "studies/plan/data_files.h"
+#include "studies/plan/study_job.h"
 #include "studies/prepare/run_job.h"
 #include "studies/results/growing_table.h"
 #include "studies/results/names.h"
@@ -504,6 +504,18 @@ void add_assumptions(Hdf5Writer& file, const Batch& batch) {
        {"file", "data file that states it", [](auto& r) { return r.facts.file; }}});
 }
 
+std::string inputs_in(const StudyReader& file) {
+  std::string lines;
+  const auto sets = file.strings("records/set"), records = file.strings("records/name"),
+             of_record = file.strings("records/files");
+  for (std::size_t row = 0; row < records.size(); ++row)
+    lines += record_line(sets.at(row), records[row], of_record.at(row));
+  const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
+  for (std::size_t row = 0; row < names.size(); ++row)
+    lines += data_file_line(names[row], hashes.at(row));
+  return inputs_from(lines, file.job_text());
+}
+
 }  // namespace
 
 RunCounts write_study_file(const std::string& path, const Batch& batch,
@@ -530,6 +542,11 @@ RunCounts write_study_file(const std::string& path, const Batch& batch,
   tables.finish();
   file.finish();
   return counts;
+}
+
+std::string difference_to_results(const std::string& path, const Batch& batch) {
+  const std::string theirs = inputs_in(StudyReader(path)), ours = inputs_of(batch);
+  return theirs == ours ? std::string() : difference(theirs, ours);
 }
 
 }  // namespace gurney::study

@@ -7,11 +7,12 @@
 #include <map>
 #include <sstream>
 
+#include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
 #include "engine/config/document.h"
 #include "studies/build_info/build_info.h"
-#include "studies/plan/data_files.h"
 #include "studies/plan/study_job.h"
+#include "studies/run/part_folder.h"
 
 namespace gurney::study {
 namespace {
@@ -130,6 +131,27 @@ std::string difference(const std::string& theirs, const std::string& ours) {
   }
   const std::string found = differences(there, here);
   return found.empty() && theirs != ours ? "the order of the records or data files" : found;
+}
+
+IdentityFile::IdentityFile(const std::filesystem::path& folder) : path_(folder / "study") {
+  std::error_code unknown;
+  const std::string bytes =
+      std::filesystem::exists(path_, unknown) ? file_bytes(path_) : std::string();
+  exists_ = !bytes.empty();
+  const auto end = bytes.find('\n');
+  if (end != std::string::npos) identity_ = bytes.substr(end + 1);
+  damaged_ = exists_ && bytes != bytes_of(identity_);
+}
+
+const std::string& IdentityFile::identity() const {
+  require(!damaged_, path_.string() +
+                         ": is damaged (its checksum does not match); `gurney run` with --resume "
+                         "and `gurney merge` write it again");
+  return identity_;
+}
+
+std::string IdentityFile::bytes_of(const std::string& identity) {
+  return "sha256 = " + sha256(identity) + "\n" + identity;
 }
 
 }  // namespace gurney::study

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/fragility.h"

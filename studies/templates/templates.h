@@ -8,7 +8,7 @@ namespace gurney::templates {
 /// Kinds of files to begin with: job, item, caster, room, study; a calibration is a folder.
 const std::vector<std::string>& kinds();
 
-/// What a new file differs in from its template. Empty: as the template has it.
+/// Differences of a new file to its template. Empty: as the template has it.
 struct Wishes {
   std::string name = {};       ///< of the file, in its comments and as its name or title
   std::string item = {};       ///< of a job or study: name of the catalogue or path

@@ -15,7 +15,7 @@ inline constexpr double kG = kStandardGravity;
 
 }  // namespace gurney
 
-/// What the engine computes, held against what is known otherwise (docs/verification.md). How to add a
+/// Comparison of the engine with a known solution (docs/verification.md). How to add a
 /// closed form: docs/contributing.md. The tests run the same list (tests/verification/cases_test.cpp).
 namespace gurney::verification {
 
@@ -40,7 +40,7 @@ struct Series {
   std::vector<double> at, computed, reference;
 };
 
-/// What running a case finds.
+/// Findings of a case.
 struct Findings {
   std::vector<Check> checks;
   std::vector<Series> series;

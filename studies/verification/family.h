@@ -23,7 +23,7 @@ struct Case {
   std::vector<double> values;  ///< as Family::parameters
 };
 
-/// What a reader needs to know of a closed form.
+/// Statement of a closed form for readers.
 struct Statement {
   std::string name;      ///< `constant_pull`
   std::string group;     ///< `pulling`, `sliding`, `casters`, ...

@@ -10,7 +10,7 @@
 
 namespace gurney::verification {
 
-/// What is to be run.
+/// Selection of cases to run.
 struct Selection {
   std::vector<std::string> names;     ///< groups, families or `family/case`; none: all
   std::optional<std::uint64_t> seed;  ///< of fresh parameters in place of the cases of the list

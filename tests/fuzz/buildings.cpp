@@ -1,4 +1,4 @@
-#include "groundmotions/buildings/building_reader.h"
+#include "groundmotions/buildings/building.h"
 #include "tests/fuzz/feed.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,8 +2,8 @@
 
 #include "engine/config/document.h"
 #include "engine/config/table.h"
-#include "groundmotions/processing/step_reader.h"
-#include "groundmotions/scaling/target_reader.h"
+#include "groundmotions/processing/pipeline.h"
+#include "groundmotions/scaling/target_spectrum.h"
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/cli/inline_table.h"
 #include "studies/job/scale_reader.h"

@@ -1,5 +1,4 @@
 #include "groundmotions/suites/list_suite.h"
-#include "groundmotions/suites/peer_search_results.h"
 #include "tests/fuzz/feed.h"
 
 /// Lists of records and search reports of PEER.

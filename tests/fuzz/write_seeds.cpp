@@ -7,8 +7,8 @@
 #include "studies/results/results_file.h"
 #include "studies/run/task_result.h"
 #include "tests/groundmotions/formats/format_samples.h"
-#include "tests/studies/analysis/made_study.h"
-#include "tests/support/fabricated_run.h"
+#include "tests/studies/analysis/synthetic_runs.h"
+#include "tests/support/synthetic_run.h"
 #include "tests/support/temp_folder.h"
 
 /// Writes the inputs that fuzzing starts from: a folder for each reader, of files of this project.
@@ -93,8 +93,8 @@ void write_lines(Seeds& seeds) {
 }
 
 void write_study(const std::string& path) {
-  study::MadeStudy made;
-  made.job = study::made_job("", study::kBrakes);
+  study::SyntheticRuns made;
+  made.job = study::synthetic_job("", study::kBrakes);
   made.configurations = {"false", "true"};
   made.records = {"a", "b"};
   for (std::size_t i = 0; i < 8; ++i)
@@ -109,9 +109,9 @@ void write_results(Seeds& seeds, const fs::path& folder) {
   fs::remove(study);
   // The seal goes, so that more than the seal is tested.
   seeds.add("results", whole.substr(0, whole.rfind("\ngurney sha256")));
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   for (ItemResponse& item : response.items) item.history.resize(3);
-  seeds.add("results", study::results_image(fabricated_facts(), response));
+  seeds.add("results", study::results_image(synthetic_facts(), response));
   study::TaskResult task{
       .task = 3, .drawn = {1, 2}, .runs = {{.response = response}}, .cost = {"a", 0.5, 1, 2}};
   seeds.add("parts", study::to_bytes(task));

@@ -98,7 +98,7 @@ TEST(Neighbours, WheelsMeetWheels) {
   EXPECT_LT(response.quality.energy_closure, 0.02);
 }
 
-bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 // Every kind of load, a spring of the fixture and an initial motion, on the second of two items.
 PlacedItem pulled(PlacedItem item) {
@@ -123,10 +123,10 @@ TEST(Neighbours, TheSecondItemIsPulledAsIfAlone) {
   EXPECT_GT(b.back().displacement.x(), 0.2);
   for (std::size_t k = 0; k < a.size(); ++k) {
     for (int axis = 0; axis < 3; ++axis)
-      ASSERT_TRUE(same(a[k].displacement[axis], b[k].displacement[axis])) << a[k].time;
-    ASSERT_TRUE(same(a[k].pull_force, b[k].pull_force)) << a[k].time;
-    ASSERT_TRUE(same(a[k].cable_tension, b[k].cable_tension)) << a[k].time;
-    ASSERT_TRUE(same(a[k].energy.weight_energy, b[k].energy.weight_energy)) << a[k].time;
+      ASSERT_TRUE(same_bits(a[k].displacement[axis], b[k].displacement[axis])) << a[k].time;
+    ASSERT_TRUE(same_bits(a[k].pull_force, b[k].pull_force)) << a[k].time;
+    ASSERT_TRUE(same_bits(a[k].cable_tension, b[k].cable_tension)) << a[k].time;
+    ASSERT_TRUE(same_bits(a[k].energy.weight_energy, b[k].energy.weight_energy)) << a[k].time;
   }
   EXPECT_LT(together.items[0].demands.peak_displacement, 1e-6) << "nothing acts on the first";
 }
@@ -142,9 +142,9 @@ TEST(Neighbours, ItemsThatNeverMeetMoveAsIfAlone) {
     const auto &a = together.items[i].history, &b = alone.items[0].history;
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
-      ASSERT_TRUE(same(a[k].displacement.x(), b[k].displacement.x())) << "at " << a[k].time;
-      ASSERT_TRUE(same(a[k].yaw, b[k].yaw)) << "at " << a[k].time;
-      ASSERT_TRUE(same(a[k].energy.loss(), b[k].energy.loss())) << "at " << a[k].time;
+      ASSERT_TRUE(same_bits(a[k].displacement.x(), b[k].displacement.x())) << "at " << a[k].time;
+      ASSERT_TRUE(same_bits(a[k].yaw, b[k].yaw)) << "at " << a[k].time;
+      ASSERT_TRUE(same_bits(a[k].energy.loss(), b[k].energy.loss())) << "at " << a[k].time;
     }
   }
 }

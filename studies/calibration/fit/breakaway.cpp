@@ -2,24 +2,299 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "studies/calibration/fit/motion_law.h"
-#include "studies/calibration/fit/slip_onset.h"
+#include "engine/base/linear_algebra.h"
 #include "studies/calibration/trials/average_method.h"
+#include "studies/calibration/trials/polynomial_fit.h"
+#include "studies/calibration/trials/trial.h"
 #include "studies/calibration/trials/trial_check.h"
 
 namespace gurney::calibration {
 namespace {
 
+/// When an item that is pulled ever harder begins to move, and by which force.
+struct SlipOnset {
+  double time = 0;                    ///< [s]
+  double force = 0, force_error = 0;  ///< of the cable at that time, and its standard error [N]
+};
+
+constexpr double kGrid = 1e-3, kCoarse = 1e-2, kBefore = 0.3;  // [s]
+constexpr double kLeastLeft = 0.05;                            // of the window after an onset [s]
+
+/// Once and twice integrated force from the window's begin.
+class Integrals {
+ public:
+  Integrals(const TrialSignals& s, const Span& window) : t_(s.time), f_(s.force), window_(window) {
+    once_.push_back(0);
+    twice_.push_back(0);
+    for (std::size_t i = window.begin; i + 1 < window.end; ++i) {
+      const double dt = t_[i + 1] - t_[i];
+      twice_.push_back(twice_.back() + dt * (once_.back() + dt * (2 * f_[i] + f_[i + 1]) / 6));
+      once_.push_back(once_.back() + dt * (f_[i] + f_[i + 1]) / 2);
+    }
+  }
+
+  struct At {
+    double once, twice;
+  };
+  At at(double time) const {
+    const auto first = t_.begin() + static_cast<std::ptrdiff_t>(window_.begin);
+    const auto last = t_.begin() + static_cast<std::ptrdiff_t>(window_.end);
+    const auto i = static_cast<std::size_t>(
+        std::max<std::ptrdiff_t>(std::upper_bound(first, last, time) - first - 1, 0));
+    const std::size_t k = window_.begin + std::min(i, window_.size() - 2);
+    const double s = time - t_[k], slope = (f_[k + 1] - f_[k]) / (t_[k + 1] - t_[k]);
+    const double g = once_[k - window_.begin], h = twice_[k - window_.begin];
+    return {g + s * (f_[k] + s * slope / 2), h + s * (g + s * (f_[k] / 2 + s * slope / 6))};
+  }
+  const std::vector<double>& twice() const { return twice_; }
+
+ private:
+  const std::vector<double>&t_, &f_;
+  Span window_;
+  std::vector<double> once_, twice_;
+};
+
+struct Fit {
+  double squares = 0;
+  double scale = 1, scale_error = 0;
+};
+
+/// In motion, and when the force of the cable first is as large.
+struct Resisting {
+  double force, overcome;
+};
+
+/// Crosses `level` on the line through the 0.3 s on either side of where means of 0.1 s do; the
+/// window's begin where it never is below.
+double crossing_of(const TrialSignals& s, const Span& window, double level) {
+  const auto half = static_cast<std::size_t>(0.05 * static_cast<double>(window.size()) /
+                                             (s.time[window.end - 1] - s.time[window.begin]));
+  std::size_t i = window.begin + half;
+  for (; i + half < window.end; ++i) {
+    double sum = 0;
+    for (std::size_t k = i - half; k <= i + half; ++k) sum += s.force[k];
+    if (sum > level * static_cast<double>(2 * half + 1)) break;
+  }
+  if (i == window.begin + half || i + half >= window.end) return s.time[window.begin];
+  const auto index = [&](double time) {
+    return std::clamp(
+        static_cast<std::size_t>(std::ranges::lower_bound(s.time, time) - s.time.begin()),
+        window.begin, window.end);
+  };
+  const PolynomialFit line =
+      fit_polynomial(s.time, s.force, {index(s.time[i] - kBefore), index(s.time[i] + kBefore)}, 1);
+  return line.middle + (level - line.c[0]) / line.c[1];
+}
+
+class Onset {
+ public:
+  Onset(const TrialSignals& s, const Span& window, double inertia)
+      : s_(s), window_(window), inertia_(inertia), integrals_(s, window) {}
+
+  /// Before the force reaches the resistance the motion is the mirror image, about that of an
+  /// onset at this time, of the one as long after it.
+  Fit fit(double onset, const Resisting& resisting, bool free) const {
+    const auto n = static_cast<Eigen::Index>(window_.size());
+    const double overcome = resisting.overcome;
+    const auto moves = [&](double from, Eigen::Index i) {
+      const double t = s_.time[window_.begin + static_cast<std::size_t>(i)] - from;
+      if (t <= 0) return 0.0;
+      const Integrals::At at = integrals_.at(from);
+      return (integrals_.twice()[static_cast<std::size_t>(i)] - at.twice - at.once * t -
+              resisting.force * t * t / 2) /
+             inertia_;
+    };
+    Eigen::MatrixXd columns(n, free ? 3 : 2);
+    Eigen::VectorXd x(n), moved(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const std::size_t k = window_.begin + static_cast<std::size_t>(i);
+      const double t = s_.time[k] - onset;
+      columns(i, 0) = 1;
+      columns(i, 1) = t;
+      x[i] = s_.displacement[k];
+      moved[i] = onset < overcome ? 2 * moves(overcome, i) - moves(2 * overcome - onset, i)
+                                  : moves(onset, i);
+    }
+    if (free)
+      columns.col(2) = moved;
+    else
+      x -= moved;
+    const Eigen::MatrixXd normal = columns.transpose() * columns;
+    const SymmetricFactors factors(normal);
+    const Eigen::VectorXd c = factors.solve(Eigen::VectorXd(columns.transpose() * x));
+    const double squares = (x - columns * c).squaredNorm();
+    if (!free) return {squares};
+    const double variance = squares / static_cast<double>(n - 4);
+    return {squares, c[2],
+            std::sqrt(variance * factors.solve(Eigen::VectorXd(Eigen::Vector3d::UnitZ()))[2])};
+  }
+
+  struct Best {
+    double time = 0, low = 0, high = 0;
+    Fit fit;
+  };
+  /// The least on a grid of 10 ms, then of 1 ms about it.
+  Best best(double from, double to, const Resisting& resisting, bool free) const {
+    const auto squares = [&](double onset) { return fit(onset, resisting, free).squares; };
+    const auto least_of = [&](double begin, double end, double step) {
+      double at = begin, least = squares(begin);
+      for (double t = begin + step; t <= end; t += step)
+        if (const double here = squares(t); here < least) {
+          at = t;
+          least = here;
+        }
+      return at;
+    };
+    const double coarse = least_of(from, to, kCoarse);
+    const double time =
+        least_of(std::max(from, coarse - kCoarse), std::min(to, coarse + kCoarse), kGrid);
+    const Fit least = fit(time, resisting, free);
+    const double allowed = least.squares * (1 + 1 / static_cast<double>(window_.size() - 4));
+    double low = time, high = time;
+    while (low - kGrid > from && squares(low - kGrid) < allowed) low -= kGrid;
+    while (high + kGrid < to && squares(high + kGrid) < allowed) high += kGrid;
+    return {time, low, high, least};
+  }
+
+ private:
+  const TrialSignals& s_;
+  Span window_;
+  double inertia_;
+  Integrals integrals_;
+};
+
+/// Newton's law from the onset t_b on, with the measured force F and the resistance R in motion:
+///
+///     x(t) = x_b + v (t - t_b) + s int_{t_b}^t int_{t_b}^t' (F - R) / M dt'' dt',     s = 1
+///
+/// Least squares over `window` for every t_b on a grid of 1 ms; x_b and v (treads wind up) follow
+/// linearly. F at t_b is a line through the 0.3 s before. Its error holds that of the line, the
+/// line's slope times half of the range of t_b where the sum of squares is within one variance of
+/// the least (a profile likelihood: Venzon & Moolgavkar 1988, Applied Statistics 37(1), 87-94), and
+/// what `resisting_error` shifts.
+///
+/// A peak is no estimate of this force: the largest of noisy means is high, a mean over a rising
+/// force low, and a winch pulls harder yet while the item gathers speed.
+/// @param free  s is not 1: what accelerates the item loads or unloads the wheels that resist, in
+///              proportion
+/// @param window  0.6 s and more; the onset is found from 0.3 s after its begin on
+/// @return nothing where the window is shorter
+std::optional<SlipOnset> find_onset(const TrialSignals& s, const Span& window, double inertia,
+                                    double resisting, double resisting_error, bool free) {
+  if (window.size() < 24) return {};
+  const double from = s.time[window.begin] + kBefore, to = s.time[window.end - 1] - kLeastLeft;
+  if (!(to - from > kBefore - kLeastLeft)) return {};
+  const Onset onset(s, window, inertia);
+  const auto with = [&](double force) { return Resisting{force, crossing_of(s, window, force)}; };
+  const Onset::Best best = onset.best(from, to, with(resisting), free);
+  const double shifted =
+      onset
+          .best(std::max(from, best.time - kBefore), std::min(to, best.time + kBefore),
+                with(resisting + resisting_error), free)
+          .time;
+  const auto index = [&](double time) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(s.time, time) - s.time.begin());
+  };
+  const Span before{index(best.time - kBefore), index(best.time)};
+  const PolynomialFit line = fit_polynomial(s.time, s.force, before, 1);
+  SlipOnset result;
+  result.time = best.time;
+  result.force = line.value(best.time);
+  const double lever = best.time - line.middle;
+  const double of_line = std::sqrt(line.covariance(0, 0) + lever * lever * line.covariance(1, 1));
+  result.force_error = std::hypot(of_line, line.c[1] * (best.high - best.low + kGrid) / 2,
+                                  line.c[1] * (shifted - best.time));
+  return result;
+}
+
+/// Newton's law between a force and a motion that were measured apart.
+struct MotionLaw {
+  double scale = 1, scale_error = 0;  ///< s: motion over what force and mass make of it
+  double lag = 0;                     ///< of the force's clock behind the motion's, or 0 [s]
+};
+
+constexpr std::size_t kFewest = 24;
+constexpr double kFarthest = 0.3, kClocks = 0.05;  // [s]
+constexpr double kSure = 50;                       // variances
+constexpr double kNear = 3;                        // a factor, of s from 1 with a lag
+constexpr Eigen::Index kScale = 3;                 // column
+
+struct LawFit {
+  double squares = 0, scale = 1, scale_error = 0;
+};
+
+/// The force `shift` samples later; its ends go on.
+LawFit fit(const TrialSignals& s, const Span& span, double inertia, std::ptrdiff_t shift) {
+  const auto n = static_cast<Eigen::Index>(span.size());
+  const auto last = static_cast<std::ptrdiff_t>(s.force.size()) - 1;
+  const auto force = [&](std::size_t k) {
+    return s.force[static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(k) + shift, 0, last))];
+  };
+  const double whole = s.time[span.end - 1] - s.time[span.begin];
+  Eigen::Matrix<double, Eigen::Dynamic, 4> columns(n, 4);
+  Eigen::VectorXd x(n);
+  double once = 0, twice = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t k = span.begin + static_cast<std::size_t>(i);
+    const double t = (s.time[k] - s.time[span.begin]) / whole;
+    if (i > 0) {
+      const double dt = s.time[k] - s.time[k - 1];
+      twice += dt * (once + dt * (2 * force(k - 1) + force(k)) / 6);
+      once += dt * (force(k - 1) + force(k)) / 2;
+    }
+    columns.row(i) << 1, t, t * t, twice / inertia;
+    x[i] = s.displacement[k];
+  }
+  const Eigen::Matrix4d normal = columns.transpose() * columns;
+  const Eigen::LDLT<Eigen::Matrix4d> factor(normal);
+  const Eigen::Vector4d c = factor.solve(columns.transpose() * x);
+  const double squares = (x - columns * c).squaredNorm();
+  const double variance = squares / static_cast<double>(n - 4);
+  return {squares, c[kScale],
+          std::sqrt(variance * factor.solve(Eigen::Vector4d::Unit(kScale))[kScale])};
+}
+
+/// While it moves against a constant resistance R,
+///
+///     x(t) = x_0 + v_0 t + s / M (int int F(t + lag) dt dt - R t^2 / 2)
+///
+/// Least squares in x_0, v_0, s and s R for every lag within 0.3 s. `lag` is the best one with s
+/// within a factor of 3 from 1, where the sum of squares without any is larger by more than 50
+/// variances, and it is more than 0.05 s; 0 elsewhere, as where the force hardly changes and
+/// determines nothing. s is that without a lag.
+/// @return nothing where `span` has less than 24 samples
+std::optional<MotionLaw> motion_law(const TrialSignals& s, const Span& span, double inertia) {
+  if (span.size() < kFewest) return {};
+  const double step = (s.time.back() - s.time.front()) / static_cast<double>(s.time.size() - 1);
+  const LawFit plain = fit(s, span, inertia, 0);
+  double least = plain.squares;
+  std::ptrdiff_t best = 0;
+  const auto most = static_cast<std::ptrdiff_t>(kFarthest / step);
+  for (std::ptrdiff_t shift = -most; shift <= most; ++shift) {
+    const LawFit shifted = fit(s, span, inertia, shift);
+    if (std::abs(std::log(shifted.scale)) < std::log(kNear) && shifted.squares < least) {
+      least = shifted.squares;
+      best = shift;
+    }
+  }
+  const double variance = least / static_cast<double>(span.size() - 5);
+  const double lag = static_cast<double>(best) * step;
+  const bool sure = plain.squares - least > kSure * variance && std::abs(lag) > kClocks;
+  return MotionLaw{plain.scale, plain.scale_error, sure ? lag : 0};
+}
+
 constexpr double kGathered = 0.5;                               // of the path
 constexpr double kMoves = 0.05, kRolls = 0.15, kSteady = 0.25;  // of the path
-constexpr std::size_t kRest = 9, kFewest = 24;
-constexpr double kStands = 5e-3;          // [m/s]
-constexpr double kShortest = 0.2;         // [s]
-constexpr double kBefore = 0.3;           // of the onset, at least [s]
-constexpr double kNewton = 3, kSure = 4;  // a factor; standard errors
+constexpr std::size_t kRest = 9;
+constexpr double kStands = 5e-3;               // [m/s]
+constexpr double kShortest = 0.2;              // [s]
+constexpr double kNewton = 3, kSureScale = 4;  // a factor; standard errors
 constexpr double kLeastFriction = 0.02, kMaxFriction = 3, kMaxRolling = 0.5;
 
 double mean(const std::vector<double>& series, std::size_t from, std::size_t to) {
@@ -94,7 +369,7 @@ std::string wrong_motion(const TrialSignals& s, const Span& span, double inertia
         "clock: the force is {:.2f} s {} the motion; force and motion must have one "
         "clock",
         std::abs(law->lag), law->lag > 0 ? "behind" : "ahead of");
-  if (std::abs(law->scale - 1) > kSure * law->scale_error &&
+  if (std::abs(law->scale - 1) > kSureScale * law->scale_error &&
       !(std::abs(std::log(law->scale)) < std::log(kNewton)))
     return fmt::format("it gathers speed {:.3g} times as fast as force and mass say, must be 1: {}",
                        law->scale, cause_of_ratio(law->scale, kNewton, !s.displacement.empty()));

@@ -7,7 +7,7 @@
 /// Pulls that grow until something gives: start-up resistance, and friction of locked wheels.
 namespace gurney::calibration {
 
-/// Of one trial.
+/// Breakaway of one trial.
 struct Breakaway {
   double peak = 0;           ///< start-up resistance over N, or mu_s
   bool peak_bounds = false;  ///< mu_s is `peak` or more

@@ -1,7 +1,5 @@
 #include "studies/calibration/fit/calibration.h"
 
-#include <filesystem>
-
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/base/hash/sha256.h"

@@ -28,7 +28,7 @@ struct ReadTrial {
   std::string excluded = {};  ///< why; empty: it is used
 };
 
-/// What trials show of casters.
+/// Caster parameters estimated from trials.
 struct Calibration {
   std::string source;  ///< the file or folder
   std::vector<ReadTrial> trials;

@@ -217,7 +217,7 @@ void require_caster(const std::string& name) {
   }
 }
 
-/// What speaks against making a file for these trials; empty: nothing.
+/// Reason against a file for these trials; empty: none.
 std::string why_not(const std::string& caster, const std::string& base, double radius) {
   const std::vector<std::string> known = equipment::catalogue_names(equipment::DataKind::kCaster);
   if (!base.ends_with(".toml") && std::ranges::find(known, base) == known.end())

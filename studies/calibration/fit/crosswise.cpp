@@ -1,7 +1,5 @@
 #include "studies/calibration/fit/crosswise.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>

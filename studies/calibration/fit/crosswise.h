@@ -8,7 +8,7 @@
 /// Pulls with casters that are not in line: what resists their swivelling.
 namespace gurney::calibration {
 
-/// What one crosswise pull shows, from the engine's run that is nearest to it.
+/// Parameters from one crosswise pull, by the engine's run that is nearest to it.
 struct CrosswiseFit {
   std::string trial, caster, floor;
   double load = 0;        ///< mean of a wheel, N [N]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/scene/equipment_model.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 #include "studies/calibration/trials/phases.h"
@@ -10,7 +11,7 @@ namespace gurney::calibration {
 /// A pull repeated with the engine under the force that was measured.
 class TrialModel {
  public:
-  /// What is not known of a trial.
+  /// Unknowns of a trial.
   struct Unknowns {
     double resistance = 0;   ///< Cr / R
     double patch_width = 0;  ///< [m]
@@ -50,5 +51,11 @@ class TrialModel {
   double settled_;       ///< when the measured force goes over into force_ [s]
   PolynomialFit force_;  ///< of phase II
 };
+
+/// The item of a trial from the catalogue, with its payload, casters, floor and headings. A floor
+/// that the catalogue does not know has the factor 1.
+/// @throws Error where the catalogue does not know the item, its payload or the caster, it has no
+///         casters, or it does not weigh what the trial says within 2 % (where it says so)
+EquipmentModel item_of(const TrialSetup& setup);
 
 }  // namespace gurney::calibration

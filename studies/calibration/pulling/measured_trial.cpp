@@ -18,7 +18,7 @@ bool is_pull(TrialKind kind) {
   return kind == TrialKind::kPull || kind == TrialKind::kCrosswisePull;
 }
 
-/// What is wrong with its samples, else the method's phases and averages.
+/// Fault of its samples, else the method's phases and averages.
 std::optional<TrialFault> evaluate(MeasuredTrial& result) {
   if (auto fault = check_samples(result.trial)) return fault;
   TrialFault fault;

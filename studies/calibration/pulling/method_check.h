@@ -5,7 +5,7 @@
 
 #include "studies/calibration/pulling/simulated_trial.h"
 
-/// What the paper's method finds in simulated trials, against what went in (docs/pulling_tests.md).
+/// Result of the paper's method on simulated trials, against their inputs (docs/pulling_tests.md).
 namespace gurney::calibration {
 
 struct MeanAndScatter {
@@ -19,7 +19,7 @@ struct AlignmentBias {
   MeanAndScatter pulled, coasting, mean;
 };
 
-/// Of each alignment that there is, of trials with averages.
+/// One entry for each alignment of trials with averages.
 std::vector<AlignmentBias> bias_by_alignment(const std::vector<SimulatedTrial>& trials);
 
 /// The paper's Figure 6: f_r = (Cr / R) N through the origin, by least squares over the aligned
@@ -32,7 +32,7 @@ struct CasterFit {
 };
 std::vector<CasterFit> fits_by_caster(const std::vector<SimulatedTrial>& trials);
 
-/// What Cr / R becomes where trials of these alignments are pooled: bias of the fit through the
+/// Cr / R where trials of these alignments are pooled: bias of the fit through the
 /// origin, sum f N / sum N^2, over all casters, as a fraction of the input.
 struct PooledBias {
   std::string trials_of;  ///< "aligned, reversed"

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What a test of a wheeled item in a laboratory is (docs/formats/trial_file.md). SI units.
+/// Laboratory test of a wheeled item (docs/formats/trial_file.md). SI units.
+
+/// Synthetic noise of the instruments of a pulling test, for simulated signals.
+
 namespace gurney::calibration {
 
 enum class TrialKind {
@@ -19,7 +23,7 @@ enum class LockedWheels { kAll, kFront, kRear };
 enum class TrialUse { kCalibration, kValidation };
 enum class TrialOrigin { kMeasured, kSimulated };
 
-/// What was pulled, and over what.
+/// Pulled item and floor.
 struct TrialSetup {
   TrialUse use = TrialUse::kCalibration;
   TrialOrigin origin = TrialOrigin::kMeasured;
@@ -40,7 +44,7 @@ struct TrialSetup {
   int payload_count = 0;
   std::vector<double> pull_point;  ///< x, y, z in item axes; empty: not stated [m]
   LockedWheels locked = LockedWheels::kAll;
-  // Of pulls with one axle locked:
+  // Only for pulls with one axle locked:
   double pull_height = 0;    ///< h of the cable above the floor, >= 0 [m]
   double wheelbase = 0;      ///< L between the axles, > 0 [m]
   double front_share = 0.5;  ///< of the weight, on the front axle at rest, (0, 1)
@@ -95,5 +99,18 @@ struct TrialFault {
 
 /// The line of sample `index`; 0 where there is no file.
 int line_of(const Trial& trial, std::size_t index);
+
+/// Standard deviations. The motion capture of Xu, Ma & Kurata (2022, section 3.1) is accurate to
+/// +-0.10 mm, which is taken as one; the noise of their load cell is not stated.
+inline constexpr double kDisplacementNoise = 1e-4;  ///< [m]
+inline constexpr double kForceNoise = 0.5;          ///< assumption [N]
+
+/// The trial with normal noise on displacement, lateral displacement and force; independent from
+/// sample to sample, the same for the same seed and stream.
+Trial with_noise(Trial trial, std::uint64_t seed, std::uint64_t stream);
+
+/// Rate of a series, by differences over four samples to either side, as a velocity is found from
+/// measured positions; NaN at both ends.
+std::vector<double> rate(const std::vector<double>& time, const std::vector<double>& series);
 
 }  // namespace gurney::calibration

@@ -89,7 +89,7 @@ std::optional<TrialFault> check_force(const Trial& trial) {
   return {};
 }
 
-/// What the mass would be if nothing else were wrong; empty where no mass would do.
+/// Mass that would explain the motion; empty where none does.
 std::string mass_in_question(const TrialSetup& setup, double ratio) {
   const double mass = (setup.mass + setup.added_mass) / ratio - setup.added_mass;
   if (!(mass > 0)) return "";

@@ -4,7 +4,7 @@
 
 #include "studies/calibration/trials/average_method.h"
 
-/// What makes a trial useless, found from the trial itself.
+/// Fault that makes a trial useless, found from the trial itself.
 namespace gurney::calibration {
 
 /// Cells left empty, steps of time above 0.2 s or below 10 us, times that stand still, run
@@ -19,7 +19,7 @@ std::optional<TrialFault> check_samples(const Trial& trial);
 /// @param of_displacement  the accelerations are of a measured displacement
 std::optional<TrialFault> check_averages(const TrialAverages& averages, bool of_displacement);
 
-/// What may have made the measured motion `ratio` of that which force and mass make: a wrong unit,
+/// Probable cause of a measured motion that is `ratio` of that which force and mass make: a wrong unit,
 /// or a wrong mass, force or clock.
 /// @param within  a factor, > 1: as near to the ratio of a unit it may be that unit
 /// @param of_displacement  the motion was measured as a displacement, else as an acceleration

@@ -69,7 +69,7 @@ bool short_steps(const Start& c) { return 0.05 * c.trail / c.speed <= 0.02; }
 // which knows no fixtures, can run it too. Casters on both sides stand at opposite headings, so
 // that neither their side forces nor their moments steer it.
 //
-// What casters and wheels have of energy as they turn comes from the trolley. With psi' = -v sin(psi)
+// Energy of casters and wheels as they turn comes from the trolley. With psi' = -v sin(psi)
 // / L and a spin of v cos(psi) / R the whole has the energy G v^2 / 2,
 //
 //     G(psi) = M + n [(I_p / L^2 - 2 S / L) sin(psi)^2 + J cos(psi)^2 / R^2],

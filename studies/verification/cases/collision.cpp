@@ -57,7 +57,7 @@ struct Collision {
     const Vector3 here(0.5 * kFirst.x(), std::abs(aside) + 0.5 * kSecond.y(), 0.5 * kFirst.z());
     const double at_first = SlidingBlock{first, kFirst}.effective_mass(here, x);
     const double at_second = SlidingBlock{second, kSecond}.effective_mass(0.5 * kSecond, x);
-    // Of two items the engine counts the points of that which has more.
+    // The engine counts the points of the item that has more.
     return {1 / (1 / first + 1 / second), 1 / (1 / at_first + 1 / at_second), 4, 4 + kFloorPoints};
   }
 };

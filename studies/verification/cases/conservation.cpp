@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/scenes.h"
 
@@ -42,7 +41,7 @@ void roll(const Roll& c, Runner& runner) {
 
 // --- coming to rest
 //
-// What moves at v0 comes to rest when a force has taken its kinetic energy: the distance gives the
+// An item that moves at v0 comes to rest when a force has taken its kinetic energy: the distance gives the
 // force, the energy balance shows whose it was.
 
 struct Coast {

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "studies/verification/cases/sliding_block.h"
 #include "studies/verification/family.h"

@@ -1,9 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "engine/contact/impact_law.h"
 #include "studies/verification/cases/sliding_block.h"

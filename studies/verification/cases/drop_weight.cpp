@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/wind_up.h"
@@ -83,7 +82,7 @@ struct Bounds {
   double offset;                       // of the positions [m]
 };
 
-/// What one step of the method makes of y' = z / h y (engine/solver/quadrature.h).
+/// Result of one step of the method for y' = z / h y (engine/solver/quadrature.h).
 std::complex<double> stability(std::complex<double> z) {
   const double gamma = 1 - std::sqrt(0.5);
   return (1.0 + (1 - 2 * gamma) * z) / ((1.0 - gamma * z) * (1.0 - gamma * z));

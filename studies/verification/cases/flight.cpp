@@ -41,7 +41,7 @@ struct Flight {
   }
 };
 
-/// What a touch or a leave inside a step costs the balance: the work of a spring over the part of
+/// Error of the balance from a touch or a leave inside a step: the work of a spring over the part of
 /// the step in which it does not act, k / 2 s^2. Steps end where wheels are foreseen to cross, so
 /// that s is at most the way in the share of a step that is left inside.
 double misbooked(double speed) {
@@ -81,7 +81,7 @@ void fly(const Drop& drop, Runner& runner) {
     if (up && landing < 0) approach = -s.velocity.z();
     if (!up && take_off >= 0 && landing < 0) landing = s.time;
   }
-  // Of the spring until it is unloaded the method makes 0.0404 (w dt)^2 of the angle and, where it
+  // While the spring is loaded the method errs by 0.0404 (w dt)^2 of the angle and, where it
   // ends inside a step, gamma^2 (w dt)^2 / 2 of the speed; the fall carries it on.
   const double phase = omega * kStep;
   const double method = (0.0404 * std::numbers::pi / 2 + kSdirkGamma * kSdirkGamma / 2) * phase *

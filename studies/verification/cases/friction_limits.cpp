@@ -224,7 +224,7 @@ Demands push(const EquipmentModel& item, double level, double direction, Runner&
   return runner(scene, floor, run_for(kRamp + kHold, 0.002)).items[0].demands;
 }
 
-/// What a cart slides when the level is above its threshold by kExcess, at least [m].
+/// Distance that a cart slides when the level is above its threshold by kExcess, at least [m].
 double slid(double level) { return 0.5 * kExcess * level * kG * kHold * kHold; }
 
 void add_threshold(const std::string& quantity, double computed, double reference, Runner& runner) {

@@ -4,7 +4,7 @@
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
 
-// What moves at V and is stopped at a point that it can turn about falls over it when its centre of
+// An item that moves at V and is stopped at a point that it can turn about falls over it when its centre of
 // mass, h above that point, R from it, is thrown up from h to R: angular momentum gives w = M h V /
 // I_O about the point.
 namespace gurney::verification {
@@ -47,7 +47,7 @@ bool falls(Scene scene, double speed, double step, Runner& runner, double& closu
   const Response response = runner(scene, {}, settings);
   const Quaternion& end = response.items[0].history.back().orientation;
   const bool fallen = response.outcome == Outcome::kOverturned && (end * Vector3::UnitZ()).x() > 0;
-  // What stays up lands again, on treads too stiff for these steps: not asked.
+  // An item that stays up lands again, on treads too stiff for these steps: not asked.
   if (fallen) closure = std::max(closure, response.quality.energy_closure);
   return fallen;
 }

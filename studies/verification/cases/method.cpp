@@ -94,18 +94,18 @@ struct Shaking {
   double seed, duration, peak;  // of the noise [-], [s], [m/s2]
 };
 
-bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-bool same(const Sample& a, const Sample& b) {
-  bool equal = same(a.time, b.time) && same(a.yaw, b.yaw) && same(a.tilt, b.tilt) &&
-               same(a.energy.loss(), b.energy.loss()) && same(a.energy.stored(), b.energy.stored());
+bool same_bits(const Sample& a, const Sample& b) {
+  bool equal = same_bits(a.time, b.time) && same_bits(a.yaw, b.yaw) && same_bits(a.tilt, b.tilt) &&
+               same_bits(a.energy.loss(), b.energy.loss()) && same_bits(a.energy.stored(), b.energy.stored());
   for (int k = 0; k < 3; ++k)
-    equal &= same(a.displacement[k], b.displacement[k]) && same(a.velocity[k], b.velocity[k]) &&
-             same(a.acceleration[k], b.acceleration[k]);
+    equal &= same_bits(a.displacement[k], b.displacement[k]) && same_bits(a.velocity[k], b.velocity[k]) &&
+             same_bits(a.acceleration[k], b.acceleration[k]);
   for (std::size_t w = 0; w < 4; ++w)
-    equal &= same(a.wheels[w].normal_force, b.wheels[w].normal_force) &&
-             same(a.wheels[w].lateral_force, b.wheels[w].lateral_force) &&
-             same(a.wheels[w].swivel_angle, b.wheels[w].swivel_angle);
+    equal &= same_bits(a.wheels[w].normal_force, b.wheels[w].normal_force) &&
+             same_bits(a.wheels[w].lateral_force, b.wheels[w].lateral_force) &&
+             same_bits(a.wheels[w].swivel_angle, b.wheels[w].swivel_angle);
   return equal;
 }
 
@@ -113,7 +113,7 @@ double different_samples(const Response& a, const Response& b) {
   const auto &first = a.items[0].history, &second = b.items[0].history;
   if (first.size() != second.size() || first.size() < 2) return INFINITY;
   int different = 0;
-  for (std::size_t i = 0; i < first.size(); ++i) different += !same(first[i], second[i]);
+  for (std::size_t i = 0; i < first.size(); ++i) different += !same_bits(first[i], second[i]);
   return different;
 }
 

@@ -7,7 +7,7 @@
 #include "studies/verification/cases/sliding_block.h"
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/blocks.h"
-#include "studies/verification/scenes/face_contact.h"
+#include "studies/verification/scenes/planar_impact.h"
 
 // A wall that covers a part of the block's front only: the corners of the polygon that wall and
 // front have in common are springs of the contact's stiffness each. Guides leave x and yaw free.
@@ -61,7 +61,7 @@ constexpr const char* kMethod =
     "velocity or yaw rate times half the width; the square of the yaw in contact times length over "
     "width, the change of the levers";
 
-/// What the reference is, and what the engine's contact is if the impact lies in a step of 4 ms, in
+/// Reference, and the engine's contact if the impact lies in a step of 4 ms, in
 /// which points stay where they are on the block. In the next step they stay again elsewhere.
 struct Springs {
   FaceContact exact, kept;

@@ -229,7 +229,7 @@ void accelerates(const Ramp& c, Runner& runner) {
   runner.report(displacement, velocity);
 }
 
-// What holds on soft treads is stuck rolling resistance: it neither creeps nor rolls.
+// The hold on soft treads is stuck rolling resistance: it neither creeps nor rolls.
 void holds(const Ramp& c, Runner& runner) {
   constexpr double kRolled = 1e-3, kDuration = 10;  // [m], [s]
   const double resistance = c.slope / 2;

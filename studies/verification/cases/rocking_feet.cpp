@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,7 +7,7 @@
 
 #include "engine/base/units.h"
 #include "studies/verification/family.h"
-#include "studies/verification/scenes/four_feet.h"
+#include "studies/verification/scenes/housner.h"
 #include "studies/verification/scenes/scenes.h"
 
 // A body on four locked casters rocks and turns in three dimensions. Their wheels are so small that

@@ -238,7 +238,7 @@ Response roll(const Precession& c, const Lead& lead, double step, double tread, 
                 disc_settings(step, kLed + 1, static_cast<int>(std::lround(0.01 / step))));
 }
 
-/// Of the axle's height once it is left alone.
+/// Largest difference of the axle's heights once it is left alone.
 double largest(const Response& a, const Response& b) {
   double most = 0;
   const auto &first = a.items[0].history, &second = b.items[0].history;

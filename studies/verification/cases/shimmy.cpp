@@ -163,7 +163,7 @@ Eigen::MatrixXd elastic_tread(const Pivot& c) {
   return a;
 }
 
-/// Of the exponents of a real system the one that shimmies with less than 1000 rad/s.
+/// Exponent of a real system, the one that shimmies with less than 1000 rad/s.
 std::complex<double> slow_oscillation(const Eigen::VectorXcd& exponents) {
   std::complex<double> found = 0;
   for (const auto& e : exponents)

@@ -250,7 +250,7 @@ class RigidBlock {
   int direction_ = 0;
 };
 
-/// Of the floor at the reversals of steady sliding, a_r = sqrt(a^2 - (pi mu g / 2)^2) [g].
+/// Acceleration of the floor at the reversals of steady sliding, a_r = sqrt(a^2 - (pi mu g / 2)^2) [g].
 double at_reversal(const FromRest& c) {
   const double a = c.amplitude, f = kPi / 2 * c.friction;
   return a > f ? std::sqrt(a * a - f * f) : 0;
@@ -292,7 +292,7 @@ void slip(const FromRest& c, Runner& runner) {
   const double spread = resolved ? 0 : 3 * std::sqrt(reversals / 3) * swung;
   const double sampled = std::pow(w * kFloorStep, 2) / 12 * c.amplitude * kG / (w * w) * kCycles;
   const double slides_on = memory(c) * (swung + spread + reversals * located);
-  // What sticks forgets its velocity; each stop is off by the deflection of the treads. It starts
+  // A sticking item forgets its velocity; each stop is off by the deflection of the treads. It starts
   // inside a step, in which it gains up to a w dt^2 / 2: evenly spread, sigma = that over sqrt(12).
   const double deflection = slider.wind_up * slider.wind_up / (c.friction * kG);
   const double start =

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "studies/verification/check.h"
 
 /// A block that slides without friction along +x into something, at the default step of 4 ms.

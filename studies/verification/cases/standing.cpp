@@ -6,7 +6,6 @@
 #include <numbers>
 #include <string>
 
-#include "engine/base/units.h"
 #include "studies/verification/family.h"
 #include "studies/verification/scenes/scenes.h"
 #include "studies/verification/scenes/small_scenes.h"

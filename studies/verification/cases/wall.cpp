@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>

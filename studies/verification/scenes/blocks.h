@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "engine/scene/scene.h"
 #include "engine/scene/settings.h"
 

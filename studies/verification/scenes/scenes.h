@@ -22,7 +22,7 @@ void set_wheel_inertia(Caster& caster, double ratio = 1);
 /// without refinement of the step), which no closed form of a block knows.
 void stiffen(Tread& tread);
 
-/// What an item is made of; every caster is a copy of `caster`.
+/// Parts of an item; every caster is a copy of `caster`.
 struct ItemOptions {
   double total_mass = 96.5;  ///< with the casters [kg]
   Vector3 chassis_center = Vector3(0, 0, 0.618);

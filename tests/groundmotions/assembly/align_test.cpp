@@ -1,7 +1,6 @@
-#include "groundmotions/assembly/align.h"
-
 #include <gmock/gmock.h>
 
+#include "groundmotions/assembly/read_record.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {

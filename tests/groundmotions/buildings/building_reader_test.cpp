@@ -1,5 +1,3 @@
-#include "groundmotions/buildings/building_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +5,8 @@
 #include <numbers>
 #include <set>
 
-#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/buildings/building.h"
+#include "groundmotions/buildings/modal_building.h"
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 

@@ -9,8 +9,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "groundmotions/buildings/generic_building.h"
-#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/buildings/modal_building.h"
 #include "groundmotions/record/record_motion.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/expect_error.h"

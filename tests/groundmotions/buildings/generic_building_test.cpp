@@ -1,4 +1,3 @@
-#include "groundmotions/buildings/generic_building.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/buildings/modal_building.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/buildings/isolated_motion.h"
-#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/buildings/modal_building.h"
 
 namespace gurney::groundmotions {
 namespace {

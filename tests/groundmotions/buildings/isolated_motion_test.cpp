@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "groundmotions/buildings/shear_building.h"
+#include "groundmotions/buildings/modal_building.h"
 #include "tests/groundmotions/buildings/matrix_exponential.h"
 
 namespace gurney::groundmotions {

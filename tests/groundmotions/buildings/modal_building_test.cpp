@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "engine/base/random/normal_draw.h"
-#include "groundmotions/buildings/shear_building.h"
 #include "tests/groundmotions/buildings/matrix_exponential.h"
 
 namespace gurney::groundmotions {

@@ -1,10 +1,10 @@
-#include "groundmotions/buildings/shear_building.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "groundmotions/buildings/modal_building.h"
 
 namespace gurney::groundmotions {
 namespace {

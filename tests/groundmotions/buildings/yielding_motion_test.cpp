@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "groundmotions/buildings/modal_building.h"
-#include "groundmotions/buildings/shear_building.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -1,9 +1,9 @@
-#include "groundmotions/measures/frequency_content.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "groundmotions/measures/measure.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -1,10 +1,9 @@
-#include "groundmotions/measures/integrate.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/base/floor_motion.h"
+#include "groundmotions/measures/peaks.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -1,11 +1,10 @@
-#include "groundmotions/measures/residual.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "engine/base/units.h"
+#include "groundmotions/measures/peaks.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -1,9 +1,8 @@
-#include "groundmotions/measures/spectral_averages.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "groundmotions/measures/measure.h"
 #include "groundmotions/measures/response_spectrum.h"
 
 namespace gurney::groundmotions {

@@ -1,9 +1,8 @@
-#include "groundmotions/models/epsilon_correlation.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/linear_algebra.h"
 #include "groundmotions/measures/response_spectrum.h"
+#include "groundmotions/models/bssa14.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::groundmotions {

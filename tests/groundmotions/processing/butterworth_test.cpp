@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/base/random/normal_draw.h"
-#include "groundmotions/measures/integrate.h"
+#include "groundmotions/measures/peaks.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {

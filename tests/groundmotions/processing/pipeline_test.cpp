@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "groundmotions/measures/integrate.h"
+#include "groundmotions/measures/peaks.h"
 #include "groundmotions/processing/baseline.h"
 #include "groundmotions/processing/resample.h"
 #include "groundmotions/processing/rotate.h"
-#include "groundmotions/processing/taper.h"
+#include "groundmotions/processing/trim.h"
 #include "groundmotions/synthetic/clough_penzien.h"
 #include "tests/support/error_text.h"
 

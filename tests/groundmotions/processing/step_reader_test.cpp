@@ -1,11 +1,10 @@
-#include "groundmotions/processing/step_reader.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <set>
 
 #include "engine/base/units.h"
+#include "groundmotions/processing/pipeline.h"
 #include "tests/support/error_text.h"
 #include "tests/support/key_table.h"
 

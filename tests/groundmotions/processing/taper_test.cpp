@@ -1,9 +1,8 @@
-#include "groundmotions/processing/taper.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "groundmotions/processing/trim.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {

@@ -1,10 +1,9 @@
-#include "groundmotions/scaling/lowest_ratio.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "groundmotions/measures/combined_spectrum.h"
+#include "groundmotions/measures/combination.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"
 

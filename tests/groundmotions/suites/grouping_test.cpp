@@ -1,8 +1,9 @@
+#include "groundmotions/suites/grouping.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "groundmotions/suites/companions.h"
-#include "groundmotions/suites/name_pattern.h"
+#include "groundmotions/suites/folder_suite.h"
 #include "groundmotions/suites/suite.h"
 #include "tests/groundmotions/formats/array_samples.h"
 #include "tests/groundmotions/formats/network_samples.h"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/csv_row.h"
-#include "groundmotions/suites/name_pattern.h"
+#include "groundmotions/suites/grouping.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 

@@ -8,7 +8,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/measures/oscillator.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/synthetic/end_state.h"
+#include "groundmotions/synthetic/component.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::groundmotions {

@@ -10,7 +10,6 @@
 #include "engine/base/units.h"
 #include "groundmotions/assembly/read_record.h"
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/measures/residual.h"
 #include "groundmotions/record/record_motion.h"
 
 namespace gurney::groundmotions {

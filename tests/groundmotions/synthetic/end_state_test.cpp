@@ -1,10 +1,9 @@
-#include "groundmotions/synthetic/end_state.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "groundmotions/measures/integrate.h"
+#include "groundmotions/measures/peaks.h"
+#include "groundmotions/synthetic/component.h"
 
 namespace gurney::groundmotions {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "groundmotions/measures/peaks.h"
-#include "groundmotions/synthetic/end_state.h"
+#include "groundmotions/synthetic/component.h"
 #include "groundmotions/synthetic/noise.h"
 #include "tests/support/expect_error.h"
 

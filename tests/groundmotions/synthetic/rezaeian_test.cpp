@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/units.h"
-#include "groundmotions/synthetic/end_state.h"
+#include "groundmotions/synthetic/component.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::groundmotions {

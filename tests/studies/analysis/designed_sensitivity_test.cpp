@@ -4,7 +4,7 @@
 #include "studies/analysis/study_sensitivity.h"
 #include "studies/figures/sensitivity_figures.h"
 #include "studies/report/sensitivity_report.h"
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
@@ -18,15 +18,15 @@ constexpr std::size_t kInputs = 3, kMatrices = 5;
 
 /// Displacement 4 u + 3 r w of numbers u and w, uniform in (0, 1), and the record r, 0 or 1. The
 /// group is of w.
-std::vector<MadeRun> rows(std::size_t points, double level = 1, double shift = 0) {
-  std::vector<MadeRun> runs;
+std::vector<SyntheticRun> rows(std::size_t points, double level = 1, double shift = 0) {
+  std::vector<SyntheticRun> runs;
   for (std::size_t draw = 0; draw < points * kMatrices; ++draw) {
     const SaltelliRow row{draw / kMatrices, draw % kMatrices};
     const auto input = [&](std::size_t i) { return saltelli_draw(1, kInputs, i, row); };
     const double w = input(0), u = input(2);
     const std::size_t record =
         row.from_b(1) ? static_cast<std::size_t>(2 * input(1)) : 2 * row.point / points;
-    MadeRun run{.record = record, .level = level, .draw = static_cast<int>(draw)};
+    SyntheticRun run{.record = record, .level = level, .draw = static_cast<int>(draw)};
     run.displacement = shift + 4 * u + 3 * static_cast<double>(record) * w;
     run.drawn = {{"u", u}, {"w", w}};
     runs.push_back(run);
@@ -41,11 +41,11 @@ constexpr double kAll = kOfU + kOfBoth;
 
 class DesignedSensitivity : public testing::Test {
  protected:
-  StudyData data(const std::vector<MadeRun>& runs) {
-    MadeStudy study{.job = made_job("draws = 9\nsampling = \"saltelli\"\n"),
-                    .records = {"r", "s"},
-                    .files = {},
-                    .runs = runs};
+  StudyData data(const std::vector<SyntheticRun>& runs) {
+    SyntheticRuns study{.job = synthetic_job("draws = 9\nsampling = \"saltelli\"\n"),
+                        .records = {"r", "s"},
+                        .files = {},
+                        .runs = runs};
     study.design = {"group treads", "record", "variable u"};
     const std::string path = folder_.file(std::to_string(++files_) + ".h5");
     study.write(path);
@@ -99,8 +99,8 @@ TEST_F(DesignedSensitivity, IndicesAreTheClosedForms) {
 }
 
 TEST_F(DesignedSensitivity, WhatLevelsAddIsNoVarianceOfTheInputs) {
-  std::vector<MadeRun> runs = rows(1024);
-  for (const MadeRun& run : rows(1024, 2, 100)) runs.push_back(run);
+  std::vector<SyntheticRun> runs = rows(1024);
+  for (const SyntheticRun& run : rows(1024, 2, 100)) runs.push_back(run);
   const StudyData study = data(runs);
   const StudySensitivity both = study_sensitivity({&study, 0}, kPeak);
   SensitivityRequest second = kPeak;
@@ -117,7 +117,7 @@ TEST_F(DesignedSensitivity, WhatLevelsAddIsNoVarianceOfTheInputs) {
 }
 
 TEST_F(DesignedSensitivity, PointsThatAreNotWholeAreLeftOut) {
-  std::vector<MadeRun> runs = rows(100);
+  std::vector<SyntheticRun> runs = rows(100);
   runs[7 * kMatrices + 3].failed = true;
   const StudyData study = data(runs);
   const StudySensitivity found = study_sensitivity({&study, 0}, kPeak);

@@ -1,9 +1,8 @@
-#include "studies/analysis/ida_curves.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
+#include "studies/analysis/demand_runs.h"
 #include "tests/studies/analysis/small_study.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"

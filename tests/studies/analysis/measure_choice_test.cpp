@@ -6,7 +6,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "studies/report/measure_report.h"
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
@@ -18,8 +18,8 @@ using testing::HasSubstr;
 
 class MeasureChoiceTest : public testing::Test {
  protected:
-  StudyData data(const std::vector<MadeRun>& runs, std::size_t records) {
-    MadeStudy study{.job = made_job(), .records = {}, .files = {}, .runs = runs};
+  StudyData data(const std::vector<SyntheticRun>& runs, std::size_t records) {
+    SyntheticRuns study{.job = synthetic_job(), .records = {}, .files = {}, .runs = runs};
     for (std::size_t i = 0; i < records; ++i) study.records.push_back("r" + std::to_string(i));
     study.write(folder_.file("s.h5"));
     return StudyData(folder_.file("s.h5"));
@@ -28,11 +28,11 @@ class MeasureChoiceTest : public testing::Test {
 };
 
 /// ln displacement = ln 0.3 + 1.5 ln pfv + sigma z: pfa (= level) has nothing to do with it.
-std::vector<MadeRun> ruled_by_pfv(std::size_t records, double sigma) {
-  std::vector<MadeRun> runs;
+std::vector<SyntheticRun> ruled_by_pfv(std::size_t records, double sigma) {
+  std::vector<SyntheticRun> runs;
   for (std::size_t i = 0; i < records; ++i)
     for (int level = 1; level <= 2; ++level) {
-      MadeRun run{0, i, double(level)};
+      SyntheticRun run{0, i, double(level)};
       const auto k = static_cast<std::uint64_t>(2 * i) + static_cast<std::uint64_t>(level);
       run.pfv = std::exp(normal_draw(1, k, 0));
       run.displacement = 0.3 * std::pow(run.pfv, 1.5) * std::exp(sigma * normal_draw(1, k, 1));
@@ -57,8 +57,8 @@ TEST_F(MeasureChoiceTest, FindsTheMeasureThatRules) {
 }
 
 TEST_F(MeasureChoiceTest, MeasuresInOneProportionAreEquallyGood) {
-  std::vector<MadeRun> runs = ruled_by_pfv(20, 0.3);
-  for (MadeRun& run : runs) run.pfv = 0.1 * run.level;  // as pfa and PGA h1
+  std::vector<SyntheticRun> runs = ruled_by_pfv(20, 0.3);
+  for (SyntheticRun& run : runs) run.pfv = 0.1 * run.level;  // as pfa and PGA h1
   const StudyData study = data(runs, 20);
   const MeasureChoice choice = choose_measure({&study, 0}, 0);
   EXPECT_EQ(choice.ties, 2);
@@ -68,7 +68,7 @@ TEST_F(MeasureChoiceTest, MeasuresInOneProportionAreEquallyGood) {
 
 /// A measure that one run lacks rests on fewer runs: its likelihood cannot be compared.
 TEST_F(MeasureChoiceTest, MeasuresThatSomeRunsLackRankBehind) {
-  std::vector<MadeRun> runs = ruled_by_pfv(20, 0.3);
+  std::vector<SyntheticRun> runs = ruled_by_pfv(20, 0.3);
   runs.back().pfv = std::nan("");
   const StudyData study = data(runs, 20);
   const MeasureChoice choice = choose_measure({&study, 0}, 0);
@@ -81,7 +81,7 @@ TEST_F(MeasureChoiceTest, MeasuresThatSomeRunsLackRankBehind) {
 }
 
 TEST_F(MeasureChoiceTest, NoiseSettlesNothing) {
-  std::vector<MadeRun> runs = ruled_by_pfv(10, 3);
+  std::vector<SyntheticRun> runs = ruled_by_pfv(10, 3);
   const StudyData study = data(runs, 10);
   const MeasureChoice choice = choose_measure({&study, 0}, 0);
   EXPECT_LT(choice.stays_best, 0.95);
@@ -89,7 +89,7 @@ TEST_F(MeasureChoiceTest, NoiseSettlesNothing) {
 }
 
 TEST_F(MeasureChoiceTest, FallenAndResettingRunsAreCensored) {
-  std::vector<MadeRun> runs = ruled_by_pfv(20, 0.3);
+  std::vector<SyntheticRun> runs = ruled_by_pfv(20, 0.3);
   runs[0].fell = true;
   runs[1].displacement = 0;
   const StudyData study = data(runs, 20);
@@ -103,9 +103,9 @@ TEST_F(MeasureChoiceTest, FallenAndResettingRunsAreCensored) {
 }
 
 /// The demand rises e-fold with each magnitude, over 2 of them.
-std::vector<MadeRun> ruled_by_magnitude() {
-  std::vector<MadeRun> runs = ruled_by_pfv(40, 0.1);
-  for (MadeRun& run : runs) {
+std::vector<SyntheticRun> ruled_by_magnitude() {
+  std::vector<SyntheticRun> runs = ruled_by_pfv(40, 0.1);
+  for (SyntheticRun& run : runs) {
     run.magnitude = 6 + 0.05 * static_cast<double>(run.record);
     run.displacement *= std::exp(*run.magnitude - 7);
   }
@@ -124,7 +124,7 @@ TEST_F(MeasureChoiceTest, MagnitudesOfAllRunsAreTested) {
 }
 
 TEST_F(MeasureChoiceTest, MagnitudesOfSomeRunsAreNot) {
-  std::vector<MadeRun> runs = ruled_by_magnitude();
+  std::vector<SyntheticRun> runs = ruled_by_magnitude();
   runs.back().magnitude = std::nan("");
   const StudyData study = data(runs, 40);
   EXPECT_EQ(choose_measure({&study, 0}, 0).properties.size(), 1);

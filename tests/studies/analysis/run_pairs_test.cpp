@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "studies/analysis/study_comparison.h"
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -12,16 +12,16 @@ using testing::ElementsAre;
 
 class RunPairsTest : public testing::Test {
  protected:
-  StudyData data(const std::string& name, const MadeStudy& study) {
+  StudyData data(const std::string& name, const SyntheticRuns& study) {
     study.write(folder_.file(name));
     return StudyData(folder_.file(name));
   }
   TempFolder folder_;
 };
 
-MadeStudy study(const std::vector<std::string>& records, const std::vector<MadeRun>& runs,
-                const std::string& in_study = "") {
-  return {.job = made_job(in_study), .records = records, .files = {}, .runs = runs};
+SyntheticRuns study(const std::vector<std::string>& records, const std::vector<SyntheticRun>& runs,
+                    const std::string& in_study = "") {
+  return {.job = synthetic_job(in_study), .records = records, .files = {}, .runs = runs};
 }
 
 TEST_F(RunPairsTest, RunsAreFoundByTheNameOfTheirRecordAndTheirLevel) {
@@ -43,7 +43,7 @@ TEST_F(RunPairsTest, RunsAreFoundByTheNameOfTheirRecordAndTheirLevel) {
 
 TEST_F(RunPairsTest, ARunThatFailedLeavesItsPartnerOut) {
   const StudyData a = data("a.h5", study({"r1", "r2"}, {{0, 0, 1}, {0, 1, 1}}));
-  MadeRun failed{0, 1, 1};
+  SyntheticRun failed{0, 1, 1};
   failed.failed = true;
   const StudyData b = data("b.h5", study({"r1", "r2"}, {{0, 0, 1}, failed}));
   const RunPairs pairs = pair_runs({&a, 0}, {&b, 0});
@@ -53,14 +53,14 @@ TEST_F(RunPairsTest, ARunThatFailedLeavesItsPartnerOut) {
 }
 
 TEST_F(RunPairsTest, EqualNamesAreReportedApartByTheirOrder) {
-  const MadeStudy two = study({"r", "r"}, {{0, 0, 1}, {0, 1, 1}});
+  const SyntheticRuns two = study({"r", "r"}, {{0, 0, 1}, {0, 1, 1}});
   const StudyData a = data("a.h5", two), b = data("b.h5", two);
   EXPECT_THAT(record_names({&a, 0}), ElementsAre("r", "r (2)"));
   EXPECT_EQ(pair_runs({&a, 0}, {&b, 0}).pairs.size(), 2);
 }
 
 TEST_F(RunPairsTest, DrawsArePairedWhereTheyAreTheSame) {
-  const std::vector<MadeRun> runs{{0, 0, 1, 0, 0, 0}, {0, 0, 1, 0, 0, 1}};
+  const std::vector<SyntheticRun> runs{{0, 0, 1, 0, 0, 0}, {0, 0, 1, 0, 0, 1}};
   const StudyData a = data("a.h5", study({"r"}, runs, "draws = 2\n"));
   const StudyData same = data("s.h5", study({"r"}, runs, "draws = 2\n"));
   const StudyData other = data("o.h5", study({"r"}, runs, "draws = 2\nseed = 7\n"));
@@ -102,7 +102,7 @@ TEST_F(RunPairsTest, NothingInCommonIsRefused) {
 }
 
 TEST_F(RunPairsTest, ConfigurationsAreNamedEvenWithCommasInThem) {
-  MadeStudy two = study({"r"}, {{0, 0, 1}});
+  SyntheticRuns two = study({"r"}, {{0, 0, 1}});
   two.configurations = {"free, vinyl", "locked, vinyl", "free"};
   const StudyData a = data("a.h5", two);
   EXPECT_THAT(named_configurations(a, "locked, vinyl"), ElementsAre(1));

@@ -7,7 +7,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "studies/analysis/replica_spread.h"
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -19,8 +19,8 @@ constexpr std::size_t kRecords = 20;
 constexpr int kReplicas = 4;
 
 /// Records with one number each, on half the step 0.1 % larger.
-std::vector<MadeRun> smooth() {
-  std::vector<MadeRun> runs;
+std::vector<SyntheticRun> smooth() {
+  std::vector<SyntheticRun> runs;
   for (std::size_t record = 0; record < kRecords; ++record)
     for (int replica = 0; replica < kReplicas; ++replica)
       runs.push_back(
@@ -29,8 +29,8 @@ std::vector<MadeRun> smooth() {
 }
 
 /// Peaks drawn anew at each step, 0.08 m e^(0.5 z), times `factor` at half the step.
-std::vector<MadeRun> scattered(double factor) {
-  std::vector<MadeRun> runs = smooth();
+std::vector<SyntheticRun> scattered(double factor) {
+  std::vector<SyntheticRun> runs = smooth();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     runs[i].displacement = 0.08 * std::exp(0.5 * normal_draw(1, 0, i));
     runs[i].half_step = factor * 0.08 * std::exp(0.5 * normal_draw(1, 1, i));
@@ -44,8 +44,8 @@ constexpr const char* kJoltedState =
 
 class StepCheckTest : public testing::Test {
  protected:
-  StudyData data(const std::vector<MadeRun>& runs, const std::string& states = "") {
-    MadeStudy study{.job = made_job("", states), .records = {}, .files = {}, .runs = runs};
+  StudyData data(const std::vector<SyntheticRun>& runs, const std::string& states = "") {
+    SyntheticRuns study{.job = synthetic_job("", states), .records = {}, .files = {}, .runs = runs};
     for (std::size_t i = 0; i < kRecords; ++i) study.records.push_back(std::to_string(i));
     const std::string path = folder_.file(std::to_string(++files_) + ".h5");
     study.write(path);
@@ -67,8 +67,8 @@ TEST_F(StepCheckTest, ReplicasThatStayTogetherAreComparedByNumbers) {
 // these draws are fixed, and such that it does. ln(1.6) = 0.47 is 8 standard errors
 // 0.5 sqrt(2 / 80) = 0.079 and a bit away from 0.
 /// The smooth runs; of their point 64 stay, 12 change by 2 %, and 4 by half, across 1.5 m/s2.
-std::vector<MadeRun> with_points() {
-  std::vector<MadeRun> runs = smooth();
+std::vector<SyntheticRun> with_points() {
+  std::vector<SyntheticRun> runs = smooth();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     runs[i].acceleration = 2;
     runs[i].half_step_acceleration = i % 20 == 0 ? 1 : i % 5 == 0 ? 1.96 : 2;
@@ -93,8 +93,8 @@ TEST_F(StepCheckTest, MarkedPointsAreCompared) {
 }
 
 TEST_F(StepCheckTest, FilesWithoutPointsAtHalfTheStepSaySo) {
-  std::vector<MadeRun> runs = with_points();
-  for (MadeRun& run : runs) run.half_step_acceleration = {};
+  std::vector<SyntheticRun> runs = with_points();
+  for (SyntheticRun& run : runs) run.half_step_acceleration = {};
   const auto check = step_check(data(runs, kJoltedState));
   ASSERT_TRUE(check);
   EXPECT_THAT(check->unjudged, ElementsAre("jolted"));
@@ -118,7 +118,7 @@ TEST_F(StepCheckTest, ReplicasThatPartAreComparedByDistributions) {
 }
 
 TEST_F(StepCheckTest, OnlyTheCaseWhoseReplicasPartIsChaotic) {
-  std::vector<MadeRun> runs = smooth();
+  std::vector<SyntheticRun> runs = smooth();
   runs[5].displacement *= 1.02;  // a replica of record 1
   runs[9].fell = true;           // of record 2
   const StudyData study = data(runs);

@@ -5,7 +5,7 @@
 #include "studies/results/results_file.h"
 #include "tests/studies/analysis/small_study.h"
 #include "tests/support/error_text.h"
-#include "tests/support/fabricated_run.h"
+#include "tests/support/synthetic_run.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -17,8 +17,8 @@ using testing::HasSubstr;
 
 TEST(StoredHistories, OfOneRunAreItsSamples) {
   const TempFolder folder;
-  const Response response = fabricated_response();
-  const std::string path = folder.write("r.h5", results_image(fabricated_facts(), response));
+  const Response response = synthetic_response();
+  const std::string path = folder.write("r.h5", results_image(synthetic_facts(), response));
   const StoredHistories stored(path);
   EXPECT_THAT(stored.names(), testing::AllOf(Contains("displacement"), Contains("normal_force")));
   EXPECT_THAT(stored.names(), testing::Not(Contains("orientation")));
@@ -31,7 +31,7 @@ TEST(StoredHistories, OfOneRunAreItsSamples) {
   ASSERT_EQ(displacement.time.size(), samples.size());
   const StoredHistory force = stored.history("normal_force", 0);
   ASSERT_EQ(force.series.size(), 4u);
-  EXPECT_EQ(force.series[2].part, fabricated_facts().scene.items[0].model.casters[2].name);
+  EXPECT_EQ(force.series[2].part, synthetic_facts().scene.items[0].model.casters[2].name);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(displacement.series[1].values[i], samples[i].displacement.y());
     EXPECT_EQ(force.series[2].values[i], samples[i].wheels[2].normal_force);

@@ -7,7 +7,7 @@
 
 #include "studies/figures/fragility_figures.h"
 #include "studies/report/comparison_report.h"
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/error_text.h"
 #include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
@@ -21,7 +21,7 @@ using Kind = ComparedQuantity::Kind;
 
 class StudyComparisonTest : public testing::Test {
  protected:
-  StudyData data(const MadeStudy& study, const std::string& name = "s.h5") {
+  StudyData data(const SyntheticRuns& study, const std::string& name = "s.h5") {
     study.write(folder_.file(name));
     return StudyData(folder_.file(name));
   }
@@ -30,12 +30,12 @@ class StudyComparisonTest : public testing::Test {
 
 /// Configurations false and true of `records` records at one level: all move without brakes, of
 /// those with brakes the first `moved`.
-MadeStudy brakes(std::size_t records, std::size_t moved) {
-  MadeStudy study{.job = made_job("", kBrakes),
-                  .configurations = {"false", "true"},
-                  .records = {},
-                  .files = {},
-                  .runs = {}};
+SyntheticRuns brakes(std::size_t records, std::size_t moved) {
+  SyntheticRuns study{.job = synthetic_job("", kBrakes),
+                      .configurations = {"false", "true"},
+                      .records = {},
+                      .files = {},
+                      .runs = {}};
   for (std::size_t i = 0; i < records; ++i) study.records.push_back("r" + std::to_string(i));
   for (std::size_t configuration : {0, 1})
     for (std::size_t i = 0; i < records; ++i)
@@ -64,7 +64,7 @@ TEST_F(StudyComparisonTest, SharesHaveStudentsIntervalAndMcNemarsTest) {
 }
 
 TEST_F(StudyComparisonTest, MeansAndMediansOfDemands) {
-  MadeStudy made = brakes(7, 0);
+  SyntheticRuns made = brakes(7, 0);
   for (std::size_t i = 0; i < 7; ++i) {
     made.runs[i].displacement = 1;
     made.runs[7 + i].displacement = 1 + 0.1 * static_cast<double>(i + 1) + (i == 6 ? 10 : 0);
@@ -102,10 +102,10 @@ TEST_F(StudyComparisonTest, ReportsInTheUnitsOfOtherReports) {
 }
 
 TEST_F(StudyComparisonTest, LevelsOfARecordAreNotMoreRecords) {
-  MadeStudy made = brakes(2, 0);
-  const std::vector<MadeRun> runs = made.runs;
+  SyntheticRuns made = brakes(2, 0);
+  const std::vector<SyntheticRun> runs = made.runs;
   for (int level = 2; level < 20; ++level)
-    for (MadeRun run : runs) {
+    for (SyntheticRun run : runs) {
       run.level = level;
       made.runs.push_back(run);
     }
@@ -138,7 +138,7 @@ TEST_F(StudyComparisonTest, AStudyIsTheSameAsItself) {
 }
 
 TEST_F(StudyComparisonTest, CurvesThatDifferAreFound) {
-  MadeStudy made = brakes(12, 0);
+  SyntheticRuns made = brakes(12, 0);
   made.runs.clear();
   for (std::size_t configuration : {0, 1})
     for (std::size_t i = 0; i < 12; ++i)
@@ -163,7 +163,7 @@ TEST_F(StudyComparisonTest, CurvesThatDifferAreFound) {
 }
 
 TEST_F(StudyComparisonTest, LimitStatesOfOneNameMustSayTheSame) {
-  MadeStudy other = brakes(3, 0);
+  SyntheticRuns other = brakes(3, 0);
   other.job.replace(other.job.find("above = 0.1"), 11, "above = 0.3");
   const StudyData a = data(brakes(3, 0)), b = data(other, "b.h5");
   const StudyComparison found = compare_studies({&a, 0}, {&b, 0});
@@ -172,7 +172,7 @@ TEST_F(StudyComparisonTest, LimitStatesOfOneNameMustSayTheSame) {
 }
 
 TEST_F(StudyComparisonTest, InputsAreReportedByTheirKeys) {
-  MadeStudy made = brakes(2, 0);
+  SyntheticRuns made = brakes(2, 0);
   const StudyData a = data(made);
   made.records = {"r0", "other"};
   made.files = {"changed", "other"};
@@ -201,7 +201,7 @@ TEST_F(StudyComparisonTest, InputsAreReportedByTheirKeys) {
 }
 
 TEST_F(StudyComparisonTest, FilesOfLaterVersionsAreRefused) {
-  MadeStudy made = brakes(2, 0);
+  SyntheticRuns made = brakes(2, 0);
   made.format_version = 1;
   EXPECT_EQ(error_text([&] { data(made); }), "(no error)");
   for (const int version : {0, kStudyFormatVersion + 1}) {
@@ -213,7 +213,7 @@ TEST_F(StudyComparisonTest, FilesOfLaterVersionsAreRefused) {
 }
 
 TEST_F(StudyComparisonTest, TheReportSaysWhatWasLeftOutAndWhatItMeans) {
-  MadeStudy made = brakes(10, 0);
+  SyntheticRuns made = brakes(10, 0);
   made.runs[3].failed = true;
   made.runs[0].fell = true;
   const StudyData study = data(made);

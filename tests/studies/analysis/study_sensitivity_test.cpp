@@ -5,7 +5,7 @@
 #include "engine/base/random/normal_draw.h"
 #include "studies/figures/sensitivity_figures.h"
 #include "studies/report/sensitivity_report.h"
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"
@@ -18,8 +18,9 @@ using testing::HasSubstr;
 
 class StudySensitivityTest : public testing::Test {
  protected:
-  StudyData data(const std::vector<MadeRun>& runs) {
-    MadeStudy study{.job = made_job("draws = 9\n"), .records = {"r"}, .files = {}, .runs = runs};
+  StudyData data(const std::vector<SyntheticRun>& runs) {
+    SyntheticRuns study{
+        .job = synthetic_job("draws = 9\n"), .records = {"r"}, .files = {}, .runs = runs};
     const std::string path = folder_.file(std::to_string(++files_) + ".h5");
     study.write(path);
     return StudyData(path);
@@ -29,12 +30,12 @@ class StudySensitivityTest : public testing::Test {
 };
 
 /// displacement = 3 u1 + u2 of uniform numbers: 9 / 10 and 1 / 10 of the variance.
-std::vector<MadeRun> linear(int draws) {
-  std::vector<MadeRun> runs;
+std::vector<SyntheticRun> linear(int draws) {
+  std::vector<SyntheticRun> runs;
   for (int i = 0; i < draws; ++i) {
     const auto k = static_cast<std::uint64_t>(i);
     const double u1 = uniform_draw(1, k, 1), u2 = uniform_draw(1, k, 2);
-    MadeRun run{.level = 1, .displacement = 3 * u1 + u2, .draw = i};
+    SyntheticRun run{.level = 1, .displacement = 3 * u1 + u2, .draw = i};
     run.drawn = {{"big", u1}, {"idle", uniform_draw(1, k, 3)}, {"small", u2}};
     runs.push_back(run);
   }
@@ -66,8 +67,8 @@ TEST_F(StudySensitivityTest, SharesOfTheVarianceAreFound) {
 }
 
 TEST_F(StudySensitivityTest, EqualConstantAndCorrelatedInputsAreNamed) {
-  std::vector<MadeRun> runs = linear(100);
-  for (MadeRun& run : runs) {
+  std::vector<SyntheticRun> runs = linear(100);
+  for (SyntheticRun& run : runs) {
     run.drawn["big again"] = run.drawn["big"];
     run.drawn["fixed"] = 7;
     run.drawn["much like small"] = run.drawn["small"] + 0.3 * run.drawn["idle"];
@@ -88,16 +89,17 @@ TEST_F(StudySensitivityTest, EqualConstantAndCorrelatedInputsAreNamed) {
 }
 
 TEST_F(StudySensitivityTest, CorrelatedInputsCountOnce) {
-  std::vector<MadeRun> runs = linear(400);
-  for (MadeRun& run : runs) run.drawn["big, nearly"] = run.drawn["big"] + 1e-3 * run.drawn["idle"];
+  std::vector<SyntheticRun> runs = linear(400);
+  for (SyntheticRun& run : runs)
+    run.drawn["big, nearly"] = run.drawn["big"] + 1e-3 * run.drawn["idle"];
   const StudyData study = data(runs);
   // Twice 0.9 would be 1.9 with the small one.
   EXPECT_NEAR(study_sensitivity({&study, 0}, kPeak).sum, 1, 0.15);
 }
 
 TEST_F(StudySensitivityTest, LevelsAreAnInputUnlessOneIsChosen) {
-  std::vector<MadeRun> runs = linear(100);
-  for (MadeRun run : linear(100)) {
+  std::vector<SyntheticRun> runs = linear(100);
+  for (SyntheticRun run : linear(100)) {
     run.level = 2;
     run.displacement += 10;
     runs.push_back(run);
@@ -120,8 +122,8 @@ TEST_F(StudySensitivityTest, LevelsAreAnInputUnlessOneIsChosen) {
 }
 
 TEST_F(StudySensitivityTest, LimitStatesAreOutputsToo) {
-  std::vector<MadeRun> runs = linear(200);
-  for (MadeRun& run : runs)
+  std::vector<SyntheticRun> runs = linear(200);
+  for (SyntheticRun& run : runs)
     run.displacement *= 0.05;  // above 0.1 where 3 u1 + u2 > 2: half of them
   const StudyData study = data(runs);
   const StudySensitivity found =
@@ -135,14 +137,14 @@ TEST_F(StudySensitivityTest, WhatCannotBeReportedIsRefused) {
   const StudyData few = data(linear(19));
   EXPECT_ERROR(study_sensitivity({&few, 0}, kPeak),
                "19 runs of cart: peak_displacement are too few");
-  std::vector<MadeRun> runs = linear(50);
-  for (MadeRun& run : runs) run.displacement = 1;
+  std::vector<SyntheticRun> runs = linear(50);
+  for (SyntheticRun& run : runs) run.displacement = 1;
   const StudyData same = data(runs);
   EXPECT_ERROR(study_sensitivity({&same, 0}, kPeak), "is 1 in every run: no input controls it");
   EXPECT_ERROR(
       study_sensitivity({&same, 0}, {.demand = "peak_displacment", .limit = "", .level = {}}),
       "no demand 'peak_displacment'; did you mean 'peak_displacement'?");
-  for (MadeRun& run : runs) run.draw = -1;
+  for (SyntheticRun& run : runs) run.draw = -1;
   const StudyData undrawn = data(runs);
   EXPECT_ERROR(study_sensitivity({&undrawn, 0}, kPeak), "the study drew no numbers");
 }
@@ -151,14 +153,15 @@ TEST_F(StudySensitivityTest, WhatCannotBeReportedIsRefused) {
 // MS_within of 300 * 3 degrees has the relative error sqrt(2 / 900) sqrt(1 + kurtosis / 2 of -1.2),
 // 3 %; the variance of 3 u over 300 draws 5 %: together 0.006, times 4.5.
 TEST_F(StudySensitivityTest, ReplicasShowTheShareOfChaos) {
-  std::vector<MadeRun> runs;
+  std::vector<SyntheticRun> runs;
   for (int i = 0; i < 300; ++i)
     for (int replica = 0; replica < 4; ++replica) {
       const auto k = static_cast<std::uint64_t>(i);
       const double u = uniform_draw(1, k, 1);
-      MadeRun run{.displacement = 3 * u + uniform_draw(2, k, static_cast<std::uint64_t>(replica)),
-                  .draw = i,
-                  .replica = replica};
+      SyntheticRun run{
+          .displacement = 3 * u + uniform_draw(2, k, static_cast<std::uint64_t>(replica)),
+          .draw = i,
+          .replica = replica};
       run.drawn = {{"big", u}};
       runs.push_back(run);
     }

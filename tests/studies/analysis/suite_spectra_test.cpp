@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "engine/base/units.h"
-#include "studies/analysis/stored_impacts.h"
+#include "studies/analysis/stored_histories.h"
 #include "studies/run/study_file.h"
 #include "tests/studies/small_study.h"
 #include "tests/support/expect_error.h"

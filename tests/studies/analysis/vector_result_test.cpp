@@ -1,14 +1,13 @@
-#include "studies/analysis/vector_result.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
+#include "studies/analysis/fragility_result.h"
 #include "studies/figures/fragility_figures.h"
 #include "studies/render/render.h"
-#include "studies/report/vector_report.h"
-#include "tests/studies/analysis/made_study.h"
+#include "studies/report/fragility_report.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -27,13 +26,13 @@ using testing::HasSubstr;
 
 /// 300 runs of 30 records at two levels; `moved` follows the level and, by `power`, the floor's
 /// velocity.
-std::vector<MadeRun> runs(double power) {
-  std::vector<MadeRun> all;
+std::vector<SyntheticRun> runs(double power) {
+  std::vector<SyntheticRun> all;
   for (std::uint64_t i = 0; i < 300; ++i) {
     const auto normal = [&](std::uint64_t stream) {
       return normal_quantile(uniform_draw(7, stream, i));
     };
-    MadeRun run{.record = i % 30, .level = 1.0 + static_cast<double>(i % 2)};
+    SyntheticRun run{.record = i % 30, .level = 1.0 + static_cast<double>(i % 2)};
     run.pfv = std::exp(0.5 * normal(1));
     run.displacement = 0.07 * run.level * std::pow(run.pfv, power) * std::exp(0.3 * normal(2));
     all.push_back(run);
@@ -43,10 +42,10 @@ std::vector<MadeRun> runs(double power) {
 
 class VectorResultTest : public testing::Test {
  protected:
-  StudyData data(const std::vector<MadeRun>& all) {
+  StudyData data(const std::vector<SyntheticRun>& all) {
     std::vector<std::string> records;
     for (int i = 0; i < 30; ++i) records.push_back("r" + std::to_string(i));
-    const MadeStudy study{.job = made_job(), .records = records, .files = {}, .runs = all};
+    const SyntheticRuns study{.job = synthetic_job(), .records = records, .files = {}, .runs = all};
     const std::string path = folder_.file(std::to_string(++files_) + ".h5");
     study.write(path);
     return StudyData(path);
@@ -86,7 +85,7 @@ TEST_F(VectorResultTest, AMeasureThatAddsNothingIsNamed) {
 }
 
 TEST_F(VectorResultTest, SaysWhatIsMissing) {
-  std::vector<MadeRun> all = runs(1);
+  std::vector<SyntheticRun> all = runs(1);
   all[3].pfv = std::nan("");
   all[4].failed = true;
   const StudyData study = data(all);

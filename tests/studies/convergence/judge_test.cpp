@@ -1,8 +1,8 @@
-#include "studies/convergence/judge.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "studies/convergence/convergence.h"
 
 namespace gurney::study {
 namespace {

@@ -4,8 +4,7 @@
 #include <cstdlib>
 
 #include "studies/doctor/determinism.h"
-#include "studies/doctor/installation.h"
-#include "studies/doctor/machine.h"
+#include "studies/doctor/examination.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::doctor {

@@ -9,7 +9,6 @@
 #include "engine/base/units.h"
 #include "engine/run/simulate.h"
 #include "studies/explanation/events.h"
-#include "studies/explanation/margins.h"
 #include "studies/explanation/overturning.h"
 #include "studies/explanation/words.h"
 #include "studies/figures/explanation_figure.h"

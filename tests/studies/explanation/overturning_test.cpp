@@ -5,16 +5,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/fabricated_ward.h"
+#include "tests/support/synthetic_ward.h"
 
 namespace gurney::explanation {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(Falls, LookAgainstTheFall) {
-  const study::RunFacts facts = fabricated_ward();
-  Response response = fabricated_ward_response();
+TEST(Overturnings, LookAgainstTheirDirection) {
+  const study::RunFacts facts = synthetic_ward();
+  Response response = synthetic_ward_response();
   const auto all = overturnings_of(facts, response);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].item, 3u);

@@ -10,7 +10,7 @@
 #include "studies/exports/export.h"
 #include "studies/statistics/capacity.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/fabricated_study.h"
+#include "tests/support/synthetic_study.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -22,7 +22,7 @@ using testing::HasSubstr;
 class Exports : public testing::Test {
  protected:
   Exports() {
-    FabricatedStudy::write(path_);
+    SyntheticStudy::write(path_);
     data_.emplace(path_);
   }
 
@@ -80,7 +80,7 @@ TEST_F(Exports, WriteWhatIsChosen) {
   EXPECT_THAT(files_.at("moved.xml"), testing::Not(HasSubstr("id=\"false\"")));
   files_.clear();
   export_responses(*data_, {.configuration = "false"}, take());
-  EXPECT_EQ(files_.size(), 1 + FabricatedStudy::kLevels.size());
+  EXPECT_EQ(files_.size(), 1 + SyntheticStudy::kLevels.size());
 }
 
 // Scales are 0.49 to 5.88; of `false` the failed run is one at 5.88.
@@ -90,7 +90,7 @@ TEST_F(Exports, CarryTheCautionsOfACurve) {
               HasSubstr("Caution: scale factors 0.49 to 5.88; 39 of 40 records above 5."));
   EXPECT_THAT(
       files_.at("fragility_cautions.csv"),
-      testing::StartsWith("ID,Caution\nfabricated.false.moved,moved: scale factors 0.49 to 5.88; "
+      testing::StartsWith("ID,Caution\nsynthetic.false.moved,moved: scale factors 0.49 to 5.88; "
                           "39 of 40 records above 5\n"));
   export_nrml(*data_, {.limit = "moved"}, take());
   EXPECT_THAT(files_.at("moved.xml"),
@@ -144,7 +144,7 @@ TEST_F(Exports, FollowTheRulesOfTheDamageAndLossModelLibrary) {
 
 TEST_F(Exports, TakeCapacitiesAfterAnIda) {
   data_.reset();  // it has the file open
-  FabricatedStudy::write(path_, true, true);
+  SyntheticStudy::write(path_, true, true);
   data_.emplace(path_);
   const ChosenCurves chosen = chosen_curves(*data_, {.configuration = "true"});
   ASSERT_EQ(chosen.curves.size(), 1u);
@@ -165,7 +165,7 @@ TEST_F(Exports, TakeCapacitiesAfterAnIda) {
 
 TEST_F(Exports, CountAnIdaInOneRowForEachConfiguration) {
   data_.reset();  // it has the file open
-  FabricatedStudy::write(path_, true, true);
+  SyntheticStudy::write(path_, true, true);
   const StudyOverview overview = study_overview(path_);
   ASSERT_EQ(overview.counts.size(), 2u);
   EXPECT_EQ(overview.counts[0].level, "all");

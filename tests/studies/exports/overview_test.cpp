@@ -7,8 +7,8 @@
 
 #include "studies/report/overview_report.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/fabricated_study.h"
 #include "tests/support/one_line.h"
+#include "tests/support/synthetic_study.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -21,7 +21,7 @@ using testing::Not;
 
 class Overview : public testing::Test {
  protected:
-  Overview() { FabricatedStudy::write(path_); }
+  Overview() { SyntheticStudy::write(path_); }
 
   TempFolder folder_;
   std::string path_ = folder_.file("overview.h5");
@@ -29,21 +29,21 @@ class Overview : public testing::Test {
 
 TEST_F(Overview, CountsRunsOfEachConfigurationAtEachLevel) {
   const StudyOverview overview = study_overview(path_);
-  const std::size_t levels = FabricatedStudy::kLevels.size();
+  const std::size_t levels = SyntheticStudy::kLevels.size();
   ASSERT_EQ(overview.counts.size(), 2 * levels);
   for (std::size_t i = 0; i < overview.counts.size(); ++i) {
     std::size_t moved = 0;
-    for (std::size_t record = 0; record < FabricatedStudy::kRecords; ++record)
-      moved += FabricatedStudy::run(i / levels, record, i % levels) != FabricatedStudy::kFailed &&
-               FabricatedStudy::moved(i / levels, record, i % levels);
+    for (std::size_t record = 0; record < SyntheticStudy::kRecords; ++record)
+      moved += SyntheticStudy::run(i / levels, record, i % levels) != SyntheticStudy::kFailed &&
+               SyntheticStudy::moved(i / levels, record, i % levels);
     const LevelCounts& counts = overview.counts[i];
     EXPECT_EQ(counts.configuration, i < levels ? "false" : "true");
-    EXPECT_EQ(counts.runs, FabricatedStudy::kRecords);
+    EXPECT_EQ(counts.runs, SyntheticStudy::kRecords);
     EXPECT_EQ(counts.failed, i == levels - 1 ? 1u : 0u);  // run 17: record 2 at the last level
     EXPECT_THAT(counts.exceeded, ElementsAre(moved, 0, 0, 0)) << i;
   }
   EXPECT_EQ(overview.counts[2].level, "0.3 g");
-  EXPECT_EQ(overview.runs, 2 * levels * FabricatedStudy::kRecords);
+  EXPECT_EQ(overview.runs, 2 * levels * SyntheticStudy::kRecords);
   EXPECT_EQ(overview.failed, 1u);
   EXPECT_EQ(overview.overturned, 0u);
 }
@@ -60,7 +60,7 @@ TEST_F(Overview, PrintsTheScaleFactorsOfAllRecords) {
 TEST_F(Overview, NamesFailedRunsAndWhatMakesThemAgain) {
   const StudyOverview overview = study_overview(path_);
   ASSERT_EQ(overview.failures.size(), 1u);
-  EXPECT_EQ(overview.failures[0].run, FabricatedStudy::kFailed);
+  EXPECT_EQ(overview.failures[0].run, SyntheticStudy::kFailed);
   EXPECT_EQ(overview.failures[0].cause, "did not converge, \"badly\"");
   EXPECT_EQ(overview.failures[0].command, "gurney replay " + path_ + " 17");
 }
@@ -78,13 +78,13 @@ TEST_F(Overview, ListsTheRangesThatWereNotDrawn) {
 
 TEST_F(Overview, QuotesNamesOfFilesForTheShell) {
   const std::string path = folder_.file("it's a study.h5");
-  FabricatedStudy::write(path);
+  SyntheticStudy::write(path);
   EXPECT_THAT(study_overview(path).failures.at(0).command, HasSubstr("/it'\\''s a study.h5' 17"));
 }
 
 TEST_F(Overview, ReportsRecordsAssumptionsAndTheWorstEnergyAccount) {
   const StudyOverview overview = study_overview(path_);
-  ASSERT_EQ(overview.file.motions.size(), FabricatedStudy::kRecords);
+  ASSERT_EQ(overview.file.motions.size(), SyntheticStudy::kRecords);
   EXPECT_THAT(overview.file.motions[3].warnings, ElementsAre("no vertical component"));
   EXPECT_THAT(overview.file.motions[0].files, ElementsAre(HasSubstr(" record_0.csv")));
   ASSERT_EQ(overview.file.assumptions.size(), 1u);  // both configurations share it
@@ -106,7 +106,7 @@ TEST_F(Overview, ComparesDemandsWithThoseAtHalfTheStep) {
   EXPECT_EQ(peak.largest_run, 9u);
   ASSERT_EQ(step_check->states.size(), 4u);
   EXPECT_EQ(step_check->states[0].state, "moved");
-  EXPECT_THAT(step_check->states[0].runs, ElementsAre(FabricatedStudy::kChanged));
+  EXPECT_THAT(step_check->states[0].runs, ElementsAre(SyntheticStudy::kChanged));
   EXPECT_THAT(step_check->states[1].runs, IsEmpty());
   for (const StepChange& each : step_check->changes) {
     const bool any = each.demand != "time_of_overturning" &&
@@ -121,7 +121,7 @@ TEST_F(Overview, ComparesDemandsWithThoseAtHalfTheStep) {
 }
 
 TEST_F(Overview, HasNoStepCheckWhereTheStudyHasNone) {
-  FabricatedStudy::write(path_, false);
+  SyntheticStudy::write(path_, false);
   const StudyOverview overview = study_overview(path_);
   EXPECT_FALSE(overview.step_check);
   EXPECT_THAT(one_line(report::overview_findings(overview)), Not(HasSubstr("half the step")));
@@ -130,7 +130,7 @@ TEST_F(Overview, HasNoStepCheckWhereTheStudyHasNone) {
 TEST_F(Overview, IsReadInATerminal) {
   const std::string text = one_line(report::overview_findings(study_overview(path_)));
   for (const char* line :
-       {"Fabricated & <plain> ", "factor brakes false, true ",
+       {"Synthetic & <plain> ", "factor brakes false, true ",
         "intensity, PGA larger 0.1 g, 0.2 g, 0.3 g, 0.5 g, 0.8 g, 1.2 g ",
         "480, 0 overturned, 1 failed ", "(worst: run 30) ", "1 parameter without a source",
         " warning: no vertical component ", " and 31 more; --json lists all ",
@@ -144,10 +144,10 @@ TEST_F(Overview, IsJson) {
       nlohmann::json::parse(render::json(report::overview_findings(study_overview(path_))));
   EXPECT_EQ(json["filetype"], "gurney-study");
   EXPECT_EQ(json["counts"][5]["failed"], 1);
-  EXPECT_EQ(json["records"].size(), FabricatedStudy::kRecords);
-  EXPECT_EQ(json["failures"][0]["run"], FabricatedStudy::kFailed);
+  EXPECT_EQ(json["records"].size(), SyntheticStudy::kRecords);
+  EXPECT_EQ(json["failures"][0]["run"], SyntheticStudy::kFailed);
   EXPECT_EQ(json["step_check"]["failed"], 1);
-  EXPECT_EQ(json["step_check"]["limit_states"][0]["changed_runs"][0], FabricatedStudy::kChanged);
+  EXPECT_EQ(json["step_check"]["limit_states"][0]["changed_runs"][0], SyntheticStudy::kChanged);
 }
 
 TEST_F(Overview, RefusesOtherFiles) {

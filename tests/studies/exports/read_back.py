@@ -11,7 +11,7 @@ import xml.etree.ElementTree as xml
 
 GURNEY, WRITE = sys.argv[1:3]
 G = 9.80665
-FAILED = 17  # FabricatedStudy::kFailed
+FAILED = 17  # SyntheticStudy::kFailed
 RECORDS, LEVELS = 40, 6
 
 
@@ -37,7 +37,7 @@ def check_pelicun():
               for name in ("Family", "Theta_0", "Theta_1", "DamageStateWeights")]
     assert header == ["ID", "Incomplete", "Demand-Type", "Demand-Unit", "Demand-Offset",
                       "Demand-Directional"] + groups
-    assert [row[0] for row in rows] == ["fabricated.false.moved", "fabricated.true.moved"]
+    assert [row[0] for row in rows] == ["synthetic.false.moved", "synthetic.true.moved"]
     for row, (theta, beta) in zip(rows, curves):
         assert row[1:7] == ["0", "Peak Ground Acceleration", "g", "0", "0", "lognormal"]
         close(float(row[7]) * G, theta)
@@ -54,8 +54,8 @@ def check_pelicun():
                              "RoundUpToIntegerQuantity", "LimitStates"}
         assert set(each["LimitStates"]["LS1"]["DS1"]) == {"Description", "RepairAction"}
         assert "residual_displacement > 0.02 m" in each["Description"]
-    assert "239 runs with 40 records" in described["fabricated.false.moved"]["Comments"]
-    assert "1 failed" in described["fabricated.false.moved"]["Comments"]
+    assert "239 runs with 40 records" in described["synthetic.false.moved"]["Comments"]
+    assert "1 failed" in described["synthetic.false.moved"]["Comments"]
     listed, *cautions = table("pelicun/fragility_cautions.csv")
     assert listed == ["ID", "Caution"]
     for name, caution in cautions:
@@ -76,7 +76,7 @@ def check_nrml():
     (model,) = xml.parse("nrml/moved.xml").getroot()
     assert model.tag == space + "fragilityModel"
     assert model.get("lossCategory") == "contents"
-    assert "Fabricated & <plain>" in model.find(space + "description").text
+    assert "Synthetic & <plain>" in model.find(space + "description").text
     assert model.find(space + "limitStates").text == "moved"
     functions = model.findall(space + "fragilityFunction")
     assert [f.get("id") for f in functions] == ["false", "true"]
@@ -158,7 +158,7 @@ with tempfile.TemporaryDirectory() as folder:
     study = "study.h5"
     printed = subprocess.run([WRITE, study], check=True, text=True, capture_output=True).stdout
     curves = [tuple(map(float, line.split())) for line in printed.splitlines()]
-    # FabricatedStudy::curve(); 40 capacities on quantiles give beta back within a few percent.
+    # SyntheticStudy::curve(); 40 capacities on quantiles give beta back within a few percent.
     for (theta, beta), (true_theta, true_beta) in zip(curves, ((0.35, 0.4), (0.6, 0.5))):
         close(theta, true_theta * G, 0.05)
         close(beta, true_beta, 0.1)

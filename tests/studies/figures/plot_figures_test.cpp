@@ -11,8 +11,8 @@
 #include "studies/figures/trajectory_figure.h"
 #include "studies/results/columns.h"
 #include "studies/results/results_file.h"
-#include "tests/support/fabricated_run.h"
-#include "tests/support/fabricated_ward.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_ward.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::figures {
@@ -197,12 +197,12 @@ TEST(PlotFigures, ManyWheelsHaveAxesOfTheirOwn) {
 TEST(PlotFigures, TrajectoriesShowRoomItemsAndImpacts) {
   const TempFolder folder;
   const std::string path =
-      folder.write("ward.h5", study::results_image(fabricated_ward(), fabricated_ward_response()));
+      folder.write("ward.h5", study::results_image(synthetic_ward(), synthetic_ward_response()));
   const std::string svg = trajectory_figure({}, path);
   expect_drawn(svg);
   EXPECT_THAT(svg, HasSubstr("x (m)"));
   EXPECT_THAT(svg, HasSubstr(">impact<"));
-  for (const auto& item : fabricated_ward().scene.items)
+  for (const auto& item : synthetic_ward().scene.items)
     EXPECT_THAT(svg, HasSubstr(">" + item.name)) << item.name;
 }
 

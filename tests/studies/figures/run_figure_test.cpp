@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "studies/figures/panel.h"
-#include "tests/support/fabricated_run.h"
-#include "tests/support/fabricated_ward.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_ward.h"
 
 namespace gurney::figures {
 namespace {
@@ -37,7 +37,7 @@ TEST(Ticks, AreOneTwoFiveOfEachDecade) {
 }
 
 TEST(Figure, HasEveryPanelWithUnits) {
-  const std::string svg = run_figure(fabricated_facts(), fabricated_response());
+  const std::string svg = run_figure(synthetic_facts(), synthetic_response());
   for (const char* label : {"x (m)", "y (m)", "Time (s)", "Displacement (m)", "Velocity (m/s)",
                             "Acceleration (m/s\u00b2)", "Yaw and tilt", "Normal force (N)",
                             "Swivel angle (deg)", "Energy (J)", "front left"})
@@ -52,18 +52,18 @@ TEST(Figure, HasEveryPanelWithUnits) {
 }
 
 TEST(Figure, ShowsTheInput) {
-  study::RunFacts facts = fabricated_facts();
+  study::RunFacts facts = synthetic_facts();
   Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, 400);
   motion.row(1).setConstant(2);
   facts.floor = FloorMotion(0.01, motion);
-  const std::string svg = run_figure(facts, fabricated_response());
+  const std::string svg = run_figure(facts, synthetic_response());
   EXPECT_EQ(count(svg, "Floor acceleration"), 1u);
   EXPECT_EQ(count(svg, "<clipPath"), 4u + 7 + 2);
 }
 
 TEST(Figure, MarksFronts) {
   // The plan's only triangles: at the start and at the end.
-  const std::string svg = run_figure(fabricated_facts(), fabricated_response());
+  const std::string svg = run_figure(synthetic_facts(), synthetic_response());
   std::size_t triangles = 0;
   for (auto at = svg.find("<polygon points=\""); at != std::string::npos;
        at = svg.find("<polygon points=\"", at + 1)) {
@@ -74,12 +74,12 @@ TEST(Figure, MarksFronts) {
 }
 
 TEST(Figure, ShowsThePull) {
-  EXPECT_EQ(count(run_figure(fabricated_facts(true), fabricated_response(true)), "Force (N)"), 1u);
+  EXPECT_EQ(count(run_figure(synthetic_facts(true), synthetic_response(true)), "Force (N)"), 1u);
 }
 
 TEST(Figure, ShowsARoomOfSeveralItems) {
-  const study::RunFacts facts = fabricated_ward();
-  const std::string svg = run_figure(facts, fabricated_ward_response());
+  const study::RunFacts facts = synthetic_ward();
+  const std::string svg = run_figure(facts, synthetic_ward_response());
   if (const char* path = std::getenv("GURNEY_SAVE_FIGURE")) std::ofstream(path) << svg;
   EXPECT_EQ(count(svg, "nan"), 0u);
   for (const PlacedItem& item : facts.scene.items)
@@ -97,30 +97,30 @@ TEST(Figure, ShowsARoomOfSeveralItems) {
 }
 
 TEST(Figure, ShowsTheRoomOfASingleItem) {
-  study::RunFacts facts = fabricated_facts();
+  study::RunFacts facts = synthetic_facts();
   facts.scene.room = {{"wall", "", {2, 0, 1}, Quaternion::Identity(), RoomBox{{0.2, 4, 2}}}};
-  const std::string svg = run_figure(facts, fabricated_response());
+  const std::string svg = run_figure(facts, synthetic_response());
   EXPECT_EQ(count(svg, "fill=\"#c4c4c4\""), 1u);
   EXPECT_EQ(count(svg, "Normal force (N)"), 1u);
   EXPECT_EQ(count(svg, "Energy (J)"), 1u);
 }
 
 TEST(Figure, SurvivesWhatDivergedAndWhatHasNoHistory) {
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   response.items[0].history.resize(3);
   for (Sample& sample : response.items[0].history) sample.displacement.x() = std::nan("");
   response.items[0].history.front().displacement.setZero();
-  const std::string svg = run_figure(fabricated_facts(), response);
+  const std::string svg = run_figure(synthetic_facts(), response);
   EXPECT_EQ(count(svg, "nan"), 0u);
   EXPECT_EQ(count(svg, "inf"), 0u);
   response.items[0].history.clear();
-  EXPECT_EQ(count(run_figure(fabricated_facts(), response), "No history was kept"), 1u);
+  EXPECT_EQ(count(run_figure(synthetic_facts(), response), "No history was kept"), 1u);
 }
 
 TEST(Figure, EscapesText) {
-  study::RunFacts facts = fabricated_facts();
+  study::RunFacts facts = synthetic_facts();
   facts.title = "<a & b>";
-  EXPECT_EQ(count(run_figure(facts, fabricated_response()), "&lt;a &amp; b&gt;"), 1u);
+  EXPECT_EQ(count(run_figure(facts, synthetic_response()), "&lt;a &amp; b&gt;"), 1u);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "studies/figures/spectra_figure.h"
 #include "studies/results/names.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/fabricated_ward.h"
+#include "tests/support/synthetic_ward.h"
 
 namespace gurney::figures {
 namespace {
@@ -55,7 +55,7 @@ study::StoredImpact impact(const std::string& item, double speed) {
 }
 
 TEST(CollisionFigure, AreasAreInProportionToSpeeds) {
-  const Scene scene = fabricated_ward().scene;
+  const Scene scene = synthetic_ward().scene;
   const std::string item = study::item_names(scene).front();
   const std::string svg = collision_figure(
       {}, "title", "note",

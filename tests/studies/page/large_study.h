@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 
 namespace gurney::page {
 
 /// 100,000 runs of 50 records at two levels.
-inline study::MadeStudy large_study() {
+inline study::SyntheticRuns large_study() {
   constexpr std::size_t kRuns = 100'000, kRecords = 50;
-  study::MadeStudy study{.job = study::made_job(), .records = {}, .files = {}, .runs = {}};
+  study::SyntheticRuns study{.job = study::synthetic_job(), .records = {}, .files = {}, .runs = {}};
   for (std::size_t i = 0; i < kRecords; ++i) study.records.push_back(fmt::format("record {}", i));
   for (std::size_t i = 0; i < kRuns; ++i)
     study.runs.push_back({.record = i % kRecords,

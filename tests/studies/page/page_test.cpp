@@ -9,11 +9,11 @@
 #include "studies/analysis/fragility_result.h"
 #include "studies/page/case_columns.h"
 #include "studies/results/results_file.h"
-#include "tests/studies/analysis/made_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/studies/page/balanced.h"
 #include "tests/studies/page/large_study.h"
-#include "tests/support/fabricated_run.h"
-#include "tests/support/fabricated_study.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_study.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::page {
@@ -47,7 +47,7 @@ std::vector<double> values_of(const Json& cases, const std::string& title) {
 
 TEST(Page, OfAStudyIsWholeAndBalanced) {
   const TempFolder folder;
-  FabricatedStudy::write(folder.file("s.h5"));
+  SyntheticStudy::write(folder.file("s.h5"));
   const std::string page = results_page({.file = folder.file("s.h5")});
   EXPECT_EQ(unbalanced(page), "");
   for (const char* id : {"summary", "design", "records", "outcomes", "demands", "fragility",
@@ -56,12 +56,12 @@ TEST(Page, OfAStudyIsWholeAndBalanced) {
   EXPECT_THAT(page, Not(HasSubstr("src=\"")));
   EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
   EXPECT_THAT(page, HasSubstr(fmt::format("gurney replay {} {}", folder.file("s.h5"),
-                                          FabricatedStudy::kFailed)));
+                                          SyntheticStudy::kFailed)));
 }
 
 TEST(Page, HasTheNumbersOfTheFile) {
   const TempFolder folder;
-  FabricatedStudy::write(folder.file("s.h5"));
+  SyntheticStudy::write(folder.file("s.h5"));
   const std::string page = results_page({.file = folder.file("s.h5")});
   const study::StudyData data(folder.file("s.h5"));
   const Json cases = cases_of(page);
@@ -72,7 +72,7 @@ TEST(Page, HasTheNumbersOfTheFile) {
   ASSERT_EQ(peak.size(), data.file().runs());
   for (std::size_t row = 0; row < runs.size(); ++row)
     EXPECT_EQ(peak[static_cast<std::size_t>(runs[row])], stored[row]);
-  EXPECT_TRUE(std::isnan(peak[FabricatedStudy::kFailed]));
+  EXPECT_TRUE(std::isnan(peak[SyntheticStudy::kFailed]));
 
   const study::FragilityResult fit = fragility_of(data, {.state = 0, .configuration = 1});
   EXPECT_THAT(page, HasSubstr(fmt::format("data-value=\"{}\"", fit.curve()->theta)));
@@ -81,13 +81,13 @@ TEST(Page, HasTheNumbersOfTheFile) {
 
 TEST(Page, CautionsOfRangesThatWereNotDrawn) {
   const TempFolder folder;
-  FabricatedStudy::write(folder.file("s.h5"));
+  SyntheticStudy::write(folder.file("s.h5"));
   const std::string page = results_page({.file = folder.file("s.h5")});
   EXPECT_THAT(page, HasSubstr("1 parameter with a range kept its value, so that this uncertainty"));
   EXPECT_THAT(between(page, "Uncertainties not propagated", "</section>"),
               HasSubstr("bed.toml: chassis.mass_kg"));
-  study::MadeStudy all_drawn{
-      .job = study::made_job(), .records = {"a", "b"}, .files = {}, .runs = {}};
+  study::SyntheticRuns all_drawn{
+      .job = study::synthetic_job(), .records = {"a", "b"}, .files = {}, .runs = {}};
   for (std::size_t record = 0; record < 2; ++record)
     all_drawn.runs.push_back({.record = record, .level = 1, .displacement = 0.1});
   all_drawn.write(folder.file("d.h5"));
@@ -98,7 +98,7 @@ TEST(Page, CautionsOfRangesThatWereNotDrawn) {
 
 TEST(Page, TakesOtherLimitStates) {
   const TempFolder folder;
-  FabricatedStudy::write(folder.file("s.h5"));
+  SyntheticStudy::write(folder.file("s.h5"));
   const std::string page =
       results_page({.file = folder.file("s.h5"),
                     .assessed_by = {.limit_states = {"far = peak_displacement > 1 cm"}}});
@@ -109,8 +109,8 @@ TEST(Page, TakesOtherLimitStates) {
 TEST(Page, ShowsHostileNamesAsText) {
   const TempFolder folder;
   const std::string hostile = "</script><img src=x onerror=alert(1)>'\"\u65e5{{script}}";
-  study::MadeStudy study{
-      .job = study::made_job(), .records = {hostile, "<b>r"}, .files = {}, .runs = {}};
+  study::SyntheticRuns study{
+      .job = study::synthetic_job(), .records = {hostile, "<b>r"}, .files = {}, .runs = {}};
   for (std::size_t record = 0; record < 2; ++record)
     for (const double level : {1.0, 2.0})
       study.runs.push_back({.record = record, .level = level, .displacement = 0.1 * level});
@@ -138,7 +138,7 @@ TEST(Page, OfManyRunsStaysSmall) {
 
 TEST(Page, OfOneRunBeginsWithItsVerdictAndNarrative) {
   const TempFolder folder;
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   response.items[0].demands.time_of_overturning = -1;
   response.items[0].demands.direction_of_overturning = std::nan("");
   response.items[0].predictability = Predictability{.verdict = Predictability::Verdict::kChaotic,
@@ -147,7 +147,7 @@ TEST(Page, OfOneRunBeginsWithItsVerdictAndNarrative) {
                                                     .time_of_peaks = 12.5,
                                                     .twin = {},
                                                     .half_step = {}};
-  folder.write("r.h5", study::results_image(fabricated_facts(), response));
+  folder.write("r.h5", study::results_image(synthetic_facts(), response));
   explanation::Explanation explained;
   explained.failed = true;  // nothing but the narrative
   findings::Section narrative;
@@ -165,14 +165,14 @@ TEST(Page, OfOneRunBeginsWithItsVerdictAndNarrative) {
   EXPECT_LT(at("Peak velocity"), at("Path length"));
   EXPECT_EQ(at("Direction of overturning"), summary.npos);
   response.items[0].predictability->verdict = Predictability::Verdict::kPredictable;
-  folder.write("p.h5", study::results_image(fabricated_facts(), response));
+  folder.write("p.h5", study::results_image(synthetic_facts(), response));
   EXPECT_THAT(results_page({.file = folder.file("p.h5")}), Not(HasSubstr("CHAOTIC")));
 }
 
 TEST(Page, OfOneRunHasItsDemands) {
   const TempFolder folder;
-  const Response response = fabricated_response();
-  folder.write("r.h5", study::results_image(fabricated_facts(), response));
+  const Response response = synthetic_response();
+  folder.write("r.h5", study::results_image(synthetic_facts(), response));
   const std::string page = results_page({.file = folder.file("r.h5")});
   EXPECT_EQ(unbalanced(page), "");
   EXPECT_THAT(page, HasSubstr(fmt::format("data-value=\"{}\"",

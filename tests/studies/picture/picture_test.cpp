@@ -4,7 +4,6 @@
 
 #include "engine/base/error.h"
 #include "studies/figures/panel.h"
-#include "studies/picture/grey.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::picture {

@@ -1,9 +1,8 @@
-#include "studies/plan/data_files.h"
-
 #include <gmock/gmock.h>
 
 #include "engine/base/hash/sha256.h"
 #include "equipment/catalogue/catalogue.h"
+#include "studies/plan/study_job.h"
 #include "tests/studies/small_study.h"
 #include "tests/support/temp_folder.h"
 

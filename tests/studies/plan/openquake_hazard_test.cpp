@@ -1,4 +1,3 @@
-#include "studies/plan/openquake_hazard.h"
 
 #include <gmock/gmock.h>
 

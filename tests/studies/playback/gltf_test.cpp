@@ -8,7 +8,7 @@
 #include "studies/playback/solid.h"
 #include "studies/results/results_file.h"
 #include "tests/studies/playback/base64_bytes.h"
-#include "tests/support/fabricated_run.h"
+#include "tests/support/synthetic_run.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::playback {
@@ -44,9 +44,9 @@ class Gltf : public testing::Test {
  protected:
   Gltf() {
     const TempFolder folder;
-    const Response response = fabricated_response();
+    const Response response = synthetic_response();
     const std::string file =
-        folder.write("run.h5", study::results_image(fabricated_facts(), response));
+        folder.write("run.h5", study::results_image(synthetic_facts(), response));
     scene_ = Json::parse(gltf(read_recorded_run(file)));
     history_ = response.items[0].history;
     const std::string uri = scene_.at("buffers").at(0).at("uri");
@@ -90,7 +90,7 @@ TEST_F(Gltf, HasABufferOfItsLength) {
 }
 
 TEST_F(Gltf, MovesAsTheFile) {
-  const std::string item = fabricated_facts().scene.items[0].model.name;
+  const std::string item = synthetic_facts().scene.items[0].model.name;
   const auto places = animation(item, "translation"), turns = animation(item, "rotation");
   const auto fork = animation("front right, fork", "rotation");
   ASSERT_EQ(places.size(), 3 * history_.size());

@@ -11,7 +11,7 @@
 #include "studies/results/results_file.h"
 #include "tests/studies/playback/base64_bytes.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/fabricated_run.h"
+#include "tests/support/synthetic_run.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::playback {
@@ -76,8 +76,8 @@ class Page : public testing::Test {
   Json data() const { return Json::parse(page_data({{"", recorded()}})); }
 
   TempFolder folder_;
-  study::RunFacts facts = fabricated_facts();
-  Response response = fabricated_response();
+  study::RunFacts facts = synthetic_facts();
+  Response response = synthetic_response();
 };
 
 TEST_F(Page, HasThePosesOfTheFile) {

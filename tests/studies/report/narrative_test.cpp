@@ -3,8 +3,8 @@
 
 #include "engine/response/settled.h"
 #include "studies/report/run_report.h"
-#include "tests/support/fabricated_run.h"
-#include "tests/support/fabricated_ward.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_ward.h"
 
 namespace gurney::report {
 namespace {
@@ -19,8 +19,8 @@ using testing::Not;
 using testing::StartsWith;
 
 TEST(Story, ReportsEachOutcomeOfASingleItem) {
-  const study::RunFacts facts = fabricated_facts();
-  Response response = fabricated_response();
+  const study::RunFacts facts = synthetic_facts();
+  Response response = synthetic_response();
   EXPECT_THAT(text_of(facts, response),
               HasSubstr("The item moved at most 125 mm from its start (at 0.50 s)"));
   EXPECT_THAT(text_of(facts, response),
@@ -50,36 +50,36 @@ TEST(Story, ReportsEachOutcomeOfASingleItem) {
 }
 
 TEST(Story, SaysHowAnItemLeftWhatItStoodOn) {
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   Demands& d = response.items[0].demands;
   d.peak_slide = 0.12;
-  EXPECT_THAT(text_of(fabricated_facts(), response),
+  EXPECT_THAT(text_of(synthetic_facts(), response),
               HasSubstr("It slid at most 120 mm where it stood. "));
   d.time_of_fall = 5.3;
-  EXPECT_THAT(text_of(fabricated_facts(), response),
+  EXPECT_THAT(text_of(synthetic_facts(), response),
               HasSubstr("It slid at most 120 mm where it stood and FELL at 5.30 s. "));
 }
 
 TEST(Story, SaysWhatHalfTheTimeStepChanges) {
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   ItemResponse& item = response.items[0];
   item.demands.peak_tilt = 0.02;
   Predictability& p = item.predictability.emplace();
   p.half_step = p.twin = item.demands;
   p.half_step->peak_displacement = 0.98 * item.demands.peak_displacement;
   p.half_step->peak_tilt = 1.003 * item.demands.peak_tilt;
-  const std::string text = text_of(fabricated_facts(), response);
+  const std::string text = text_of(synthetic_facts(), response);
   EXPECT_THAT(text, HasSubstr("\nTime step: half of it changes the peak displacement by -2 %, "
                               "the peak tilt by +0.3 %."));
   item.demands.peak_tilt = p.half_step->peak_tilt = 1e-3;  // less than 0.1 degrees: at rest
-  EXPECT_THAT(text_of(fabricated_facts(), response), HasSubstr("peak displacement by -2 %."));
+  EXPECT_THAT(text_of(synthetic_facts(), response), HasSubstr("peak displacement by -2 %."));
   p.verdict = Predictability::Verdict::kChaotic;  // its difference is not the step's
-  EXPECT_THAT(text_of(fabricated_facts(), response), Not(HasSubstr("Time step")));
+  EXPECT_THAT(text_of(synthetic_facts(), response), Not(HasSubstr("Time step")));
 }
 
 /// The run of one item without events, its repetitions equal.
 Response repeated() {
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   ItemResponse& item = response.items[0];
   item.demands.impacts = 0;
   for (WheelDemands& wheel : item.demands.wheels) wheel.liftoffs = 0;
@@ -91,7 +91,7 @@ Response repeated() {
 TEST(Story, SaysOfEachDemandWhetherItIsSettled) {
   Response response = repeated();
   const std::size_t all = numbers_of(response.items[0].demands).size();
-  EXPECT_THAT(text_of(fabricated_facts(), response),
+  EXPECT_THAT(text_of(synthetic_facts(), response),
               HasSubstr(fmt::format("\nSettled, of {0} demands: {0} within 1 %.", all)));
   Predictability& p = *response.items[0].predictability;
   p.half_step->peak_yaw *= 0.4;
@@ -100,7 +100,7 @@ TEST(Story, SaysOfEachDemandWhetherItIsSettled) {
   p.half_step->wheels[1].liftoffs += 1;
   p.half_step->time_of_overturning = 3;
   p.twin->path_length *= 1 + 1e-5;
-  const std::string text = text_of(fabricated_facts(), response);
+  const std::string text = text_of(synthetic_facts(), response);
   // 4 times 1 % is within 5 %; five others are not settled.
   EXPECT_THAT(text, HasSubstr(fmt::format("{} within 1 % and 1 within 5 %; NOT SETTLED: path "
                                           "length (by the change of mass), peak yaw (-60 %), "
@@ -115,7 +115,7 @@ TEST(Story, SaysWhySmallChangesDoNotSettle) {
   Predictability& p = *item.predictability;
   Demands& half = *p.half_step;
   item.demands.impacts = half.impacts = p.twin->impacts = 7;
-  EXPECT_THAT(text_of(fabricated_facts(), response),
+  EXPECT_THAT(text_of(synthetic_facts(), response),
               HasSubstr("NOT SETTLED: impacts (as many at half the step)."));
   for (double* each : {&half.peak_yaw, &half.residual_yaw, &half.path_length, &half.lifted_time,
                        &half.peak_velocity, &half.residual_displacement})
@@ -124,12 +124,12 @@ TEST(Story, SaysWhySmallChangesDoNotSettle) {
     wheel = {2 * wheel.peak_normal_force, 2 * wheel.peak_tangential_force,
              2 * wheel.lifted_time,       wheel.liftoffs,
              2 * wheel.skid_distance,     wheel.liftoff_before_overturning};
-  EXPECT_THAT(text_of(fabricated_facts(), response),
+  EXPECT_THAT(text_of(synthetic_facts(), response),
               HasSubstr("peak displacement (others change by more)"));
 }
 
 TEST(Story, NamesTheItemThatTheTimeStepChangesMost) {
-  Response response = fabricated_ward_response();
+  Response response = synthetic_ward_response();
   for (std::size_t i = 0; i < response.items.size(); ++i) {
     const double peak = response.items[i].demands.peak_displacement = 0.1;
     response.items[i].demands.peak_tilt = 0;
@@ -137,12 +137,12 @@ TEST(Story, NamesTheItemThatTheTimeStepChangesMost) {
     half.peak_displacement = peak * (i == 2 ? 0.9 : 1.05);
     response.items[i].predictability.emplace().half_step = half;
   }
-  EXPECT_THAT(text_of(fabricated_ward(), response),
+  EXPECT_THAT(text_of(synthetic_ward(), response),
               HasSubstr("Time step: half of it changes peak displacements by at most 10 % ("));
 }
 
 TEST(Story, ReportsHowFarEachItemMoved) {
-  const std::string text = text_of(fabricated_ward(), fabricated_ward_response());
+  const std::string text = text_of(synthetic_ward(), synthetic_ward_response());
   EXPECT_THAT(text, StartsWith("1 of 10 items overturned; the run ended at 15.00 s.\n"));
   EXPECT_THAT(text, HasSubstr("\n  moved less than 1 mm: bookcase\n"));
   EXPECT_THAT(text, HasSubstr("\n  infusion pump moved at most "));
@@ -150,7 +150,7 @@ TEST(Story, ReportsHowFarEachItemMoved) {
 }
 
 TEST(Story, SumsUpTheHitsOfAPairFastestFirst) {
-  const std::string text = text_of(fabricated_ward(), fabricated_ward_response());
+  const std::string text = text_of(synthetic_ward(), synthetic_ward_response());
   EXPECT_THAT(
       text,
       HasSubstr(
@@ -164,7 +164,7 @@ TEST(Story, SumsUpTheHitsOfAPairFastestFirst) {
 }
 
 TEST(Story, IsNotFloodedByImpacts) {
-  Response response = fabricated_ward_response();
+  Response response = synthetic_ward_response();
   for (int i = 0; i < 20; ++i) {
     Impact impact = response.impacts[5];
     impact.other = "shape " + std::to_string(i);
@@ -172,14 +172,14 @@ TEST(Story, IsNotFloodedByImpacts) {
     response.impacts.push_back(impact);
   }
   // 24 pairs; the twelve fastest are the four of the ward and eight of the new ones.
-  EXPECT_THAT(text_of(fabricated_ward(), response),
+  EXPECT_THAT(text_of(synthetic_ward(), response),
               HasSubstr("  and 12 more pairs, with 0.092 m/s at most\n"));
 }
 
 TEST(Story, SaysWhatFellAndWhy) {
   // Half a sine of 2 m/s2 over 1 s: 4 / pi = 1.27 m/s.
   EXPECT_THAT(
-      text_of(fabricated_ward(), fabricated_ward_response()),
+      text_of(synthetic_ward(), synthetic_ward_response()),
       HasSubstr(
           "\ninfusion pump OVERTURNED at 4.50 s, falling towards -y (-90 deg from the x axis). "
           "Wheels that had left the floor by then and not come back: front left (4.08 s), rear "
@@ -190,33 +190,33 @@ TEST(Story, SaysWhatFellAndWhy) {
 }
 
 TEST(Story, NamesNoHalfCycleOfAFloorAtRest) {
-  study::RunFacts facts = fabricated_ward();
+  study::RunFacts facts = synthetic_ward();
   facts.floor = {};
-  EXPECT_THAT(text_of(facts, fabricated_ward_response()), Not(HasSubstr("half cycle")));
+  EXPECT_THAT(text_of(facts, synthetic_ward_response()), Not(HasSubstr("half cycle")));
 }
 
 TEST(Story, SaysWhichZonesAreBlocked) {
-  Response response = fabricated_ward_response();
+  Response response = synthetic_ward_response();
   EXPECT_THAT(
-      text_of(fabricated_ward(), response),
+      text_of(synthetic_ward(), response),
       HasSubstr("\ndoorway is NARROWED at the end by infusion pump: a free width of 0.35 m is left "
                 "of 1.10 m.\n"
                 "egress lane is free at the end; it was occupied for 0.75 s from 1.50 s on, with a "
                 "free width of 0.50 m left of 0.90 m at least.\n"));
   response.zones[1].time_of_entry = 0;
-  EXPECT_THAT(text_of(fabricated_ward(), response),
+  EXPECT_THAT(text_of(synthetic_ward(), response),
               HasSubstr("it was occupied for 0.75 s from the start on, with"));
   response.zones[0].free_width_at_end = 0;
   response.zones[1] = {};
   EXPECT_THAT(
-      text_of(fabricated_ward(), response),
+      text_of(synthetic_ward(), response),
       HasSubstr("\ndoorway is BLOCKED at the end by infusion pump: no free width is left of 1.10 "
                 "m.\negress lane stayed free.\n"));
 }
 
 TEST(Story, SaysWhatBecameOfTethers) {
   EXPECT_THAT(
-      text_of(fabricated_ward(), fabricated_ward_response()),
+      text_of(synthetic_ward(), synthetic_ward_response()),
       testing::EndsWith("\npower cord of ventilator got taut at 3.25 s and BROKE at 3.50 s "
                         "(largest tension 300 N).\n"
                         "gas hose of anaesthesia workstation got taut at 5.75 s and held (largest "
@@ -226,10 +226,10 @@ TEST(Story, SaysWhatBecameOfTethers) {
 
 TEST(Story, SaysWhetherHalvingTheTimeStepSettledTheDemands) {
   const auto text = [](long halvings, double change) {
-    Response response = fabricated_response();
+    Response response = synthetic_response();
     response.quality.step_halvings = halvings;
     response.quality.peak_change = change;
-    return text_of(fabricated_facts(), response);
+    return text_of(synthetic_facts(), response);
   };
   EXPECT_THAT(text(0, 0), Not(HasSubstr("Time step")));
   EXPECT_THAT(text(3, 0.0037),

@@ -1,10 +1,9 @@
-#include "studies/report/record_table.h"
-
 #include <gmock/gmock.h>
 
 #include <sstream>
 
 #include "engine/base/hash/sha256.h"
+#include "studies/report/record_report.h"
 
 namespace gurney::report {
 namespace {

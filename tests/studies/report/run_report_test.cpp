@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "studies/render/render.h"
-#include "tests/support/fabricated_run.h"
-#include "tests/support/fabricated_ward.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_ward.h"
 
 namespace gurney::report {
 namespace {
@@ -34,7 +34,7 @@ void expect_contains(const std::string& text, const std::string& fragment) {
 }
 
 TEST(Summary, SaysWhatRanAndWhatCameOut) {
-  const std::string text = summary(fabricated_facts(), fabricated_response());
+  const std::string text = summary(synthetic_facts(), synthetic_response());
   expect_contains(text, "A trolley under a made-up motion");
   expect_contains(text, "Trolley: 96.5 kg on 4 casters");
   expect_contains(text, "made-up: 20.00 s, sampled every 0.005 s");
@@ -54,18 +54,18 @@ TEST(Summary, SaysWhatRanAndWhatCameOut) {
 }
 
 TEST(Summary, FitsATerminalOf100Columns) {
-  study::RunFacts facts = fabricated_facts();
+  study::RunFacts facts = synthetic_facts();
   facts.warnings.assign(2,
                         "a rather long warning that goes on and on and on and on and on and on, "
                         "until nobody wants to read it any more, and then a little");
-  std::istringstream lines(summary(facts, fabricated_response()));
+  std::istringstream lines(summary(facts, synthetic_response()));
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
 TEST(Summary, SaysNothingOfWheelsWhereThereAreNone) {
-  study::RunFacts facts = fabricated_facts();
+  study::RunFacts facts = synthetic_facts();
   facts.scene.items[0].model.casters.clear();
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   response.items[0].demands.wheels.clear();
   response.items[0].demands.peak_tilt = 0.05;  // 2.86 deg
   const std::string text = summary(facts, response);
@@ -77,28 +77,28 @@ TEST(Summary, SaysNothingOfWheelsWhereThereAreNone) {
 
 TEST(Summary, FlagsNumericalAccelerations) {
   expect_contains(
-      summary(fabricated_facts(), fabricated_response()),
+      summary(synthetic_facts(), synthetic_response()),
       "\nnote: accelerations of points leave out impacts that state a restitution and no "
       "stiffness; the\nnumerical ones there reach 98.5 m/s2.\n");
-  Response response = fabricated_response();
+  Response response = synthetic_response();
   response.items[0].demands.points[0].numerical_acceleration = PointDemands::kNone;
-  EXPECT_EQ(summary(fabricated_facts(), response).find("note:"), std::string::npos);
+  EXPECT_EQ(summary(synthetic_facts(), response).find("note:"), std::string::npos);
 }
 
 TEST(Summary, SaysOfEachDemandWhatItIsSettledTo) {
-  Response response = fabricated_response();
-  EXPECT_EQ(summary(fabricated_facts(), response).find("settled to"), std::string::npos)
+  Response response = synthetic_response();
+  EXPECT_EQ(summary(synthetic_facts(), response).find("settled to"), std::string::npos)
       << "this run was not repeated";
   Predictability& p = response.items[0].predictability.emplace();
   p.half_step = p.twin = response.items[0].demands;
   p.half_step->peak_velocity *= 1.004;  // times 4: 2 %
   p.half_step->peak_yaw *= 2;
   p.half_step->points[0].peak_displacement *= 2;
-  const std::string text = summary(fabricated_facts(), response);
+  const std::string text = summary(synthetic_facts(), response);
   expect_contains(text, "\n peak velocity 1.000 m/s, settled to 2 %\n");
   expect_contains(text, "71.62 deg, NOT SETTLED\n");
   expect_contains(text, "\n~ not settled\n");
-  const auto json = json_of(fabricated_facts(), response);
+  const auto json = json_of(synthetic_facts(), response);
   const auto& settled = json["items"][0]["settled"];
   EXPECT_EQ(settled["demands"].size(), json["items"][0]["demands"].size());
   EXPECT_EQ(settled["demands"]["peak_displacement"]["settled_to"], 0.01);
@@ -110,7 +110,7 @@ TEST(Summary, SaysOfEachDemandWhatItIsSettledTo) {
 }
 
 TEST(Summary, HasARowForEachOfSeveralItems) {
-  const std::string text = summary(fabricated_ward(), fabricated_ward_response());
+  const std::string text = summary(synthetic_ward(), synthetic_ward_response());
   expect_contains(text, "item bookcase: 80.0 kg without casters\n");
   expect_contains(text, "item moved at end turned tilt lifted impacts fastest overturned\n");
   expect_contains(text, " [mm] [mm] [deg] [deg] [s] [m/s] [s]\n");
@@ -122,7 +122,7 @@ TEST(Summary, HasARowForEachOfSeveralItems) {
 }
 
 TEST(Summary, SaysTheSameAsJson) {
-  const auto json = json_of(fabricated_facts(), fabricated_response());
+  const auto json = json_of(synthetic_facts(), synthetic_response());
   const auto& item = json["items"][0];
   EXPECT_EQ(item["name"], "Trolley");
   EXPECT_EQ(item["demands"]["peak_yaw"], 1.25);
@@ -138,12 +138,12 @@ TEST(Summary, SaysTheSameAsJson) {
   EXPECT_EQ(json["draw"]["draw"], 3);
   EXPECT_EQ(json["draw"]["parameters"][0]["value"], 1.0625);
   EXPECT_EQ(json["draw"]["parameters"][0]["unit"], "mm");
-  const auto still = json_of(fabricated_facts(true), fabricated_response(true));
+  const auto still = json_of(synthetic_facts(true), synthetic_response(true));
   EXPECT_TRUE(still["record"].is_null());
 }
 
 TEST(Summary, ReportsOfSeveralItemsInJson) {
-  const auto json = json_of(fabricated_ward(), fabricated_ward_response());
+  const auto json = json_of(synthetic_ward(), synthetic_ward_response());
   EXPECT_EQ(json["items"].size(), 10u);
   EXPECT_EQ(json["items"][3]["demands"]["time_of_overturning"], 4.5);
   EXPECT_EQ(json["impacts"][1]["item"], "ventilator");

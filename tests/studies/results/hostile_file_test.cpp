@@ -12,7 +12,7 @@
 #include "studies/results/results_file.h"
 #include "tests/support/error_text.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/fabricated_run.h"
+#include "tests/support/synthetic_run.h"
 #include "tests/support/temp_folder.h"
 
 /// Results files that are damaged, or made to crash who reads them.
@@ -40,7 +40,7 @@ void add_dataset(hid_t file, const char* name, hsize_t length, hid_t creation) {
   H5Sclose(space);
 }
 
-std::string results() { return results_image(fabricated_facts(), fabricated_response()); }
+std::string results() { return results_image(synthetic_facts(), synthetic_response()); }
 
 /// All that is in a file, or its error.
 std::string read_all(const std::string& path) {

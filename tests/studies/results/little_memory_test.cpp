@@ -12,7 +12,7 @@
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/hdf5_writer.h"
 #include "studies/results/results_file.h"
-#include "tests/support/fabricated_run.h"
+#include "tests/support/synthetic_run.h"
 #include "tests/support/temp_folder.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -92,9 +92,9 @@ std::string bytes_of(const std::string& path) {
 }
 
 TEST(LittleMemory, AFileInMemoryIsWholeOrIsNone) {
-  const std::string whole = results_image(fabricated_facts(), fabricated_response());
+  const std::string whole = results_image(synthetic_facts(), synthetic_response());
   expect_done_or_no_memory([&] {
-    return results_image(fabricated_facts(), fabricated_response()) == whole ? kDone : kWrong;
+    return results_image(synthetic_facts(), synthetic_response()) == whole ? kDone : kWrong;
   });
 }
 

@@ -9,9 +9,9 @@
 #include "engine/base/hash/sha256.h"
 #include "studies/results/hdf5_reader.h"
 #include "studies/results/histories.h"
-#include "tests/support/fabricated_run.h"
-#include "tests/support/fabricated_ward.h"
 #include "tests/support/page_rows.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_ward.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -29,8 +29,8 @@ class ResultsFile : public testing::Test {
 };
 
 TEST_F(ResultsFile, HoldsTheRun) {
-  const Response response = fabricated_response();
-  const Hdf5Reader file(save(fabricated_facts(), response));
+  const Response response = synthetic_response();
+  const Hdf5Reader file(save(synthetic_facts(), response));
   EXPECT_EQ(file.text_attribute("filetype"), "gurney-results");
   EXPECT_EQ(file.text_attribute("job_text"), "title = \"A trolley\"\n");
   EXPECT_EQ(file.strings("/runs/outcome"), std::vector<std::string>{"rested"});
@@ -51,8 +51,8 @@ TEST_F(ResultsFile, HoldsTheRun) {
 }
 
 TEST_F(ResultsFile, HoldsTheHistories) {
-  const Response response = fabricated_response();
-  const Hdf5Reader file(save(fabricated_facts(), response));
+  const Response response = synthetic_response();
+  const Hdf5Reader file(save(synthetic_facts(), response));
   constexpr std::size_t kSample = 345, kWheel = 2, kWheels = 4;
   const Sample& sample = response.items[0].history[kSample];
   EXPECT_EQ(file.numbers("/histories/count").at(0), response.items[0].history.size());
@@ -68,8 +68,8 @@ TEST_F(ResultsFile, HoldsTheHistories) {
 }
 
 TEST_F(ResultsFile, HoldsTheMotionOfTheFloor) {
-  const RunFacts facts = fabricated_facts();
-  const Response response = fabricated_response();
+  const RunFacts facts = synthetic_facts();
+  const Response response = synthetic_response();
   const Hdf5Reader file(save(facts, response));
   const double time = response.items[0].history[345].time;
   EXPECT_EQ(file.numbers("/histories/floor_velocity").at(3 * 345 + 1),
@@ -95,8 +95,8 @@ TEST(FloorHistories, DisplacementIsTheDoubleIntegralOfTheRecord) {
 }
 
 TEST_F(ResultsFile, HoldsARowForEachItemWheelImpactZoneAndTether) {
-  const Response response = fabricated_ward_response();
-  const Hdf5Reader file(save(fabricated_ward(), response));
+  const Response response = synthetic_ward_response();
+  const Hdf5Reader file(save(synthetic_ward(), response));
   const auto items = file.strings("/items/item");
   ASSERT_EQ(items.size(), 10u);
   EXPECT_EQ(items[3], "infusion pump");
@@ -130,8 +130,8 @@ TEST_F(ResultsFile, HoldsARowForEachItemWheelImpactZoneAndTether) {
 }
 
 TEST_F(ResultsFile, HoldsTheHistoriesOfSeveralItems) {
-  const Response response = fabricated_ward_response();
-  const Hdf5Reader file(save(fabricated_ward(), response));
+  const Response response = synthetic_ward_response();
+  const Hdf5Reader file(save(synthetic_ward(), response));
   constexpr std::size_t kSample = 245, kItem = 3, kItems = 10;
   const Sample& sample = response.items[kItem].history[kSample];
   EXPECT_EQ(file.numbers("/histories/count").at(0), 751);
@@ -148,19 +148,19 @@ TEST_F(ResultsFile, HoldsTheHistoriesOfSeveralItems) {
 }
 
 TEST_F(ResultsFile, GivesTheSameBytesForTheSameRun) {
-  const std::string first = results_image(fabricated_facts(), fabricated_response());
+  const std::string first = results_image(synthetic_facts(), synthetic_response());
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times count seconds
-  EXPECT_EQ(first, results_image(fabricated_facts(), fabricated_response()));
-  RunFacts other = fabricated_facts();
+  EXPECT_EQ(first, results_image(synthetic_facts(), synthetic_response()));
+  RunFacts other = synthetic_facts();
   other.job_text += "#";
-  EXPECT_NE(first, results_image(other, fabricated_response()));
+  EXPECT_NE(first, results_image(other, synthetic_response()));
 }
 
 TEST_F(ResultsFile, ManagesWithoutHistoryRecordOrPoints) {
-  RunFacts facts = fabricated_facts(true);
+  RunFacts facts = synthetic_facts(true);
   facts.scene.items[0].model.marked_points.clear();
   facts.assumptions.clear();
-  Response response = fabricated_response(true);
+  Response response = synthetic_response(true);
   response.items[0].history.clear();
   response.items[0].demands.points.clear();
   const Hdf5Reader file(save(facts, response));
@@ -174,16 +174,16 @@ TEST_F(ResultsFile, HoldsARunThatDiverged) {
   response.items.resize(1);
   response.items[0].demands.wheels.resize(4);
   response.items[0].demands.points.resize(1);
-  const Hdf5Reader file(save(fabricated_facts(), response));
+  const Hdf5Reader file(save(synthetic_facts(), response));
   EXPECT_EQ(file.strings("/runs/outcome"), std::vector<std::string>{"diverged"});
   EXPECT_EQ(file.strings("/runs/cause"), std::vector<std::string>{"the solve did not converge"});
 }
 
 TEST_F(ResultsFile, IsWhatItsPageSays) {
-  RunFacts facts = fabricated_facts();
+  RunFacts facts = synthetic_facts();
   facts.seed = 7;
   const std::string page = GURNEY_SOURCE_DIR "/docs/formats/results_file.md";
-  expect_as_on_page(Hdf5Reader(save(facts, fabricated_response())), page, page);
+  expect_as_on_page(Hdf5Reader(save(facts, synthetic_response())), page, page);
 }
 
 TEST(Sha256, MatchesThePublishedExample) {

@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "engine/base/hash/sha256.h"
-#include "studies/run/identity_file.h"
+#include "studies/run/study_identity.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "studies/run/complete_study.h"
 #include "studies/run/study_file.h"
 #include "tests/studies/small_study.h"
 #include "tests/support/expect_error.h"

@@ -8,7 +8,7 @@
 #include "engine/config/document.h"
 #include "engine/run/simulate.h"
 #include "equipment/catalogue/check_file.h"
-#include "groundmotions/buildings/building_reader.h"
+#include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/formats/format.h"
 #include "groundmotions/synthetic/kinds.h"
@@ -19,8 +19,8 @@
 #include "studies/prepare/run_job.h"
 #include "studies/results/results_file.h"
 #include "studies/run/part_folder.h"
-#include "tests/support/fabricated_run.h"
-#include "tests/support/fabricated_study.h"
+#include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_study.h"
 #include "tests/support/temp_folder.h"
 #include "tests/system/mutation/mutator.h"
 
@@ -209,7 +209,7 @@ TEST_F(Mutation, Trials) {
 }
 
 TEST_F(Mutation, RunResults) {
-  survive("run.h5", {results_image(fabricated_facts(), fabricated_response())}, true,
+  survive("run.h5", {results_image(synthetic_facts(), synthetic_response())}, true,
           [](const std::string& file) {
             run_overview(file);
             export_tables(file, take_nothing);
@@ -219,7 +219,7 @@ TEST_F(Mutation, RunResults) {
 
 /// Without its seal, so that more than the seal is tested.
 TEST_F(Mutation, StudyResults) {
-  FabricatedStudy::write(path("seed.h5"));
+  SyntheticStudy::write(path("seed.h5"));
   const std::string whole = contents_of(path("seed.h5"));
   survive("study.h5", {whole, whole.substr(0, whole.rfind("\ngurney sha256"))}, true,
           [](const std::string& file) {

@@ -12,7 +12,7 @@
 #include "studies/calibration/fit/caster_file.h"
 #include "studies/figures/pulling_figures.h"
 #include "studies/render/render.h"
-#include "tests/studies/calibration/trials/made_trial.h"
+#include "tests/studies/calibration/trials/synthetic_trial.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -31,7 +31,7 @@ TrialSet programme() {
     for (const std::string floor : {"forest", "mystique"})
       for (int i = 0; i < 5; ++i) {
         const double radius = caster == "R125" ? 0.0625 : 0.05;
-        MadePull made;
+        SyntheticPull made;
         made.seed = ++seed;
         made.resistance = 1e-3 / radius * std::exp(0.02 * normal_draw(seed, 9, 0));
         made.mass += i % 2 * 50;
@@ -176,7 +176,7 @@ TEST(Calibration, NamesOutliersAndKeepsThem) {
 TEST(Calibration, TakesTablesOfAverages) {
   TrialSet set;
   for (int i = 0; i < 4; ++i) {
-    const MadePull made;
+    const SyntheticPull made;
     TrialAverages a;
     a.name = "t" + std::to_string(i);
     a.file = "averages.csv";

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "studies/calibration/trials/instrument_noise.h"
+#include "studies/calibration/trials/trial.h"
 
 /// Trials made with the engine: nothing here knows the formulas that the calibration uses.
 namespace gurney::calibration {

@@ -1,9 +1,8 @@
-#include "studies/calibration/pulling/pull_theory.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "studies/calibration/pulling/simulated_trial.h"
 #include "studies/verification/scenes/scenes.h"
 #include "tests/support/error_text.h"
 

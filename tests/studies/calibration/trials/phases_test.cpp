@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "studies/calibration/trials/average_method.h"
-#include "tests/studies/calibration/trials/made_trial.h"
+#include "tests/studies/calibration/trials/synthetic_trial.h"
 
 namespace gurney::calibration {
 namespace {
@@ -29,7 +29,7 @@ TEST(PolynomialFit, HasTheErrorOfItsFormula) {
 TEST(Phases, AreThoseOfTheMotion) {
   for (const double noise : {0.0, 1e-4, 5e-4}) {
     SCOPED_TRACE(noise);
-    MadePull made;
+    SyntheticPull made;
     made.displacement_noise = noise;
     const Trial trial = make_pull(made);
     TrialFault fault;
@@ -52,7 +52,7 @@ TEST(Phases, AreThoseOfTheMotion) {
 }
 
 TEST(Phases, TellHowTheyEnd) {
-  MadePull made;
+  SyntheticPull made;
   made.end = 4;  // it coasts still
   TrialFault fault;
   EXPECT_EQ(find_phases(make_pull(made), fault)->end, Phases::End::kRecordEnds);
@@ -67,7 +67,7 @@ TEST(Phases, TellHowTheyEnd) {
 
 TEST(Phases, NameTheOneThatIsMissing) {
   TrialFault fault;
-  MadePull made;
+  SyntheticPull made;
   made.end = 2;
   EXPECT_FALSE(find_phases(make_pull(made), fault));
   EXPECT_THAT(fault.text(), HasSubstr("made.csv:242: phase III is missing"));
@@ -88,7 +88,7 @@ TEST(Phases, NameTheOneThatIsMissing) {
 
 TEST(AverageMethod, GivesTheResistanceBack) {
   for (const double resistance : {0.01, 0.02, 0.03}) {
-    MadePull made;
+    SyntheticPull made;
     made.resistance = resistance;
     const Trial trial = make_pull(made);
     TrialFault fault;
@@ -111,7 +111,7 @@ TEST(AverageMethod, GivesTheResistanceBack) {
 }
 
 TEST(AverageMethod, UsesAccelerationsWhereThereIsNoDisplacement) {
-  const MadePull made;
+  const SyntheticPull made;
   Trial trial = make_pull(made);
   trial.signals.displacement.clear();
   for (std::size_t i = 0; i < trial.signals.time.size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/studies/calibration/trials/made_trial.h"
+#include "tests/studies/calibration/trials/synthetic_trial.h"
 
 namespace gurney::calibration {
 namespace {
@@ -25,7 +25,7 @@ std::string judged(const Trial& trial) {
 
 TEST(TrialCheck, LetsGoodTrialsPass) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
-    MadePull made;
+    SyntheticPull made;
     made.seed = seed;
     made.resistance = 0.01 + 0.0004 * seed;
     made.force = 1.5 * made.resisting() + seed;
@@ -123,7 +123,7 @@ TEST(TrialCheck, NamesTheUnitsOfEachRatio) {
 }
 
 TEST(TrialCheck, NamesPhasesThatAreTooShort) {
-  MadePull made;
+  SyntheticPull made;
   made.pull = 0.4;
   EXPECT_THAT(judged(make_pull(made)), HasSubstr("phase II is missing: 0.1"));
 }

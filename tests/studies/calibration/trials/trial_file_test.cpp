@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/studies/calibration/trials/made_trial.h"
+#include "tests/studies/calibration/trials/synthetic_trial.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,0 +1,235 @@
+#include "studies/cli/repeated_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "engine/base/error.h"
+#include "engine/base/files.h"
+#include "engine/base/hash/sha256.h"
+#include "engine/base/input_file.h"
+#include "engine/base/parallel.h"
+#include "engine/config/unit_limit.h"
+#include "engine/run/run.h"
+#include "studies/build_info/build_info.h"
+#include "studies/explanation/explain.h"
+#include "studies/plan/study_job.h"
+#include "studies/report/run_report.h"
+#include "studies/results/columns.h"
+#include "studies/results/hdf5_reader.h"
+#include "studies/run/run_task.h"
+#include "studies/run/study_identity.h"
+
+namespace gurney::cli {
+namespace {
+
+/// Text behind the last `word` at the start of a line; empty where there is none.
+std::string value_of(const std::string& text, const std::string& word) {
+  const auto place = text.rfind('\n' + word + ' ');
+  if (place == std::string::npos) return {};
+  const auto start = text.find_first_not_of(' ', place + 1 + word.size());
+  return text.substr(start, text.find('\n', start) - start);
+}
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  return is_there(path) ? read_input_file(path.string()) : std::string();
+}
+
+std::string job_of(const study::StudyReader& file, const std::string& named) {
+  const std::string job = named.empty() ? job_of_log(file.path()) : named;
+  require(!job.empty() && is_there(job),
+          fmt::format("{}: the job's file {}; name it with --job", file.path(),
+                      job.empty() ? "is not known" : job + " " + why_not_there(job)));
+  const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);
+  if (theirs == sha256(text)) return job;
+  const std::string keys = study::job_difference(file.job_text(), text);
+  throw Error(fmt::format(
+      "{}: is not the job of {}: {}", job, file.path(),
+      keys.empty() ? fmt::format("there job_sha256 {}, here {}", theirs, sha256(text)) : keys));
+}
+
+std::size_t whole(const study::StudyReader& file, const std::string& column, std::size_t run) {
+  return static_cast<std::size_t>(file.numbers("runs/" + column)[run]);
+}
+
+/// A demand that is not the same as in the study; empty: all are.
+std::string demand_difference(const study::StudyReader& file, std::size_t run,
+                              const Response& response) {
+  const auto [first, last] = file.rows_of_runs("items")[run];
+  if (last - first != (is_failure(response.outcome) ? 0 : response.items.size()))
+    return "the outcome";
+  for (const study::TableColumn<Demands>& column : study::demand_columns()) {
+    if (!file.has_column(std::string("items/") + column.name)) continue;
+    const std::vector<double> theirs = file.numbers(std::string("items/") + column.name);
+    for (std::size_t row = first; row < last; ++row) {
+      const double ours = column.value(response.items[row - first].demands);
+      const bool same = ours == theirs[row] || (std::isnan(ours) && std::isnan(theirs[row]));
+      if (!same) return fmt::format("{} is {:.17g}, there {:.17g}", column.name, ours, theirs[row]);
+    }
+  }
+  return {};
+}
+
+/// Names of data files that are not what the study was run with.
+std::string changed_files(const study::StudyReader& file, const study::StudyJob& job) {
+  std::map<std::string, std::string> now = study::data_files(job);
+  const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
+  std::string changed;
+  for (std::size_t row = 0; row < names.size(); ++row)
+    if (now[names[row]] != hashes[row]) changed += (changed.empty() ? "" : ", ") + names[row];
+  return changed;
+}
+
+const study::StudyReader& with_run(const study::StudyReader& file, std::size_t run) {
+  require(run < file.runs(), fmt::format("{}: has no run {}; it has runs 0 to {}", file.path(), run,
+                                         static_cast<long>(file.runs()) - 1));
+  return file;
+}
+
+namespace fs = std::filesystem;
+
+std::string type_of(const study::Hdf5Reader& file) {
+  const auto attributes = file.attributes();
+  if (std::ranges::find(attributes, "filetype") == attributes.end()) return {};
+  return file.text_attribute("filetype");
+}
+
+/// The demands of one run as its file has them, by column.
+using StoredDemands = std::vector<std::pair<std::string, std::vector<double>>>;
+
+StoredDemands demands_of(const study::Hdf5Reader& file) {
+  StoredDemands demands;
+  const std::vector<study::Hdf5Dataset> known = file.datasets();
+  for (const study::TableColumn<Demands>& column : study::demand_columns()) {
+    const std::string path = std::string("/items/") + column.name;
+    if (std::ranges::find(known, path, &study::Hdf5Dataset::path) != known.end())
+      demands.emplace_back(column.name, file.numbers(path));
+  }
+  return demands;
+}
+
+std::string difference_to(const std::string& path, const StoredDemands& stored,
+                          const Response& response) {
+  for (const auto& [name, theirs] : stored) {
+    const auto column =
+        std::ranges::find_if(study::demand_columns(),
+                             [&wanted = name](const auto& each) { return each.name == wanted; });
+    for (std::size_t i = 0; i < response.items.size(); ++i) {
+      const double ours = column->value(response.items[i].demands);
+      if (i < theirs.size() && (ours == theirs[i] || (std::isnan(ours) && std::isnan(theirs[i]))))
+        continue;
+      return fmt::format(
+          "{}: its job gives other results now: {} is {:.17g}, there {:.17g}; a record, an item, "
+          "the program or the machine has changed",
+          path, name, ours, i < theirs.size() ? theirs[i] : 0);
+    }
+  }
+  return {};
+}
+
+RepeatedRun single_run(const std::string& path, const std::string& named) {
+  const study::Hdf5Reader file(path);
+  require(type_of(file) == "gurney-results", path + ": is not a results file");
+  const std::string job = named.empty() ? job_of_log(path) : named;
+  require(!job.empty() && is_there(job),
+          fmt::format("{}: the job's file {}; name it with --job", path,
+                      job.empty() ? "is not known" : job + " " + why_not_there(job)));
+  RepeatedRun result{study::prepare_run(job), {}};
+  const std::string& text = result.run.facts.job_text;
+  if (result.run.facts.job_sha256 != file.text_attribute("job_sha256"))
+    throw Error(fmt::format("{}: is not the job of {}: {}", job, path,
+                            study::job_difference(file.text_attribute("job_text"), text)));
+  result.difference = [path, stored = demands_of(file)](const Response& response) {
+    return difference_to(path, stored, response);
+  };
+  return result;
+}
+
+}  // namespace
+
+std::string job_of_log(const std::string& results) {
+  namespace fs = std::filesystem;
+  const fs::path log = fs::path(results).replace_extension(".log");
+  if (!is_there(log)) return {};
+  const std::string text = '\n' + read_input_file(log.string());
+  const std::string job = value_of(text, "job");
+  const fs::path from_its_folder = fs::path(value_of(text, "folder")) / job;
+  return is_there(job) || !is_there(from_its_folder) ? job : from_its_folder.string();
+}
+
+std::string why_not_there(const std::string& path) {
+  std::error_code problem;
+  const bool there = std::filesystem::exists(path, problem);
+  const bool gone = there || !problem || problem == std::errc::no_such_file_or_directory ||
+                    problem == std::errc::not_a_directory;
+  return gone ? "does not exist any more" : "cannot be read: " + problem.message();
+}
+
+StudyCase::StudyCase(const std::string& path, std::size_t run, const std::string& job)
+    : file_(path), run_(run), job_(job_of(with_run(file_, run), job)), study_(job_) {}
+
+study::PreparedRun StudyCase::prepared() const {
+  const study::StudyMotions motions(study_);
+  const study::Plan plan(study_, motions);
+  const study::Task task = plan.task(whole(file_, "analysis_case", run_));
+  const study::Job job = study_.job(task.configuration, plan.draw(task), task.replica);
+  const double scale = file_.numbers("runs/scale")[run_];
+  const double largest = config::unit_limit("scale").largest;  // of a job too
+  require(std::abs(scale) <= largest,
+          fmt::format("{}: /runs/scale[{}] = {:g}: must be at most {:g}", file_.path(), run_, scale,
+                      largest));
+  return study::prepare_run(job,
+                            motions.set_of(task.configuration)
+                                .motion(task.record, scale, study_.study().angles[task.angle]));
+}
+
+std::string StudyCase::difference(const Response& response) const {
+  const std::string differs = demand_difference(file_, run_, response);
+  if (differs.empty()) return {};
+  const std::string changed = changed_files(file_, study_);
+  const build_info::BuildInfo build = build_info::build_info();
+  return fmt::format(
+      "{}: run {} gives other results now: {}\nit was computed by gurney {} {} on CPU class {}, "
+      "this is {} {} on {}; {}",
+      file_.path(), run_, differs, file_.text_attribute("program_version"),
+      file_.text_attribute("git_commit"), file_.text_attribute("cpu_class"), build.program_version,
+      build.git_commit, build.cpu_class,
+      changed.empty() ? "a record may have changed, too" : "changed since: " + changed);
+}
+
+bool is_study(const std::string& path) {
+  return type_of(study::Hdf5Reader(path)) == "gurney-study";
+}
+
+RepeatedRun repeated_run(const std::string& file, std::optional<std::size_t> index,
+                         const std::string& job) {
+  if (!is_study(file)) {
+    require(index.value_or(0) == 0, file + ": is a single run, which has no --run but 0");
+    return single_run(file, job);
+  }
+  require(index.has_value(), file + ": is a study; choose one of its runs with --run N");
+  const auto of_study = std::make_shared<StudyCase>(file, *index, job);
+  return {of_study->prepared(),
+          [of_study](const Response& response) { return of_study->difference(response); }};
+}
+
+Explained explained(const RepeatedRun& again, const study::UnitSystem& units) {
+  const study::RunFacts& facts = again.run.facts;
+  const auto settings =
+      explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());
+  const Response response =
+      run_judged(facts.scene, facts.floor, settings, threads_or_all()).response;
+  const std::string differs = again.difference(response);
+  require(differs.empty(), differs);
+  explanation::Explanation found = explanation::explain(facts, response);
+  found.units = units;
+  return {std::move(found), report::narrative(facts, response, units)};
+}
+
+}  // namespace gurney::cli
