@@ -5,7 +5,8 @@ find_program(GURNEY_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(GURNEY_PYTHON python3)
 
 add_custom_target(product DEPENDS gurney)
-file(GLOB modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/*.py)
+file(GLOB modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/*.py
+  ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/py.typed)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/python/gurney)
 file(WRITE ${PROJECT_BINARY_DIR}/python/gurney/source_folder "${PROJECT_SOURCE_DIR}\n")
 foreach(module IN LISTS modules)

@@ -38,15 +38,18 @@ py::bytes results_bytes(const FinishedRun& run) {
   return study::results_image(run.facts, run.response);
 }
 
-/// The data of an installation are beside this library and not beside the interpreter:
-/// PREFIX/lib/python3/dist-packages/gurney/_engine.so stands for PREFIX/lib/program. That of a build
-/// stands for itself.
+/// The data of an installation are beside this library and not beside the interpreter: in the first
+/// folder above it that has share/gurney, PREFIX of PREFIX/lib/python3/dist-packages/gurney, or the
+/// target of `pip install --target`. The library of a build stands for itself.
 void find_data_beside_module() {
   Dl_info library;
   if (dladdr(reinterpret_cast<const void*>(&find_data_beside_module), &library) == 0) return;
   std::filesystem::path place = std::filesystem::absolute(library.dli_fname).parent_path();
-  if (!exists(place / equipment::kSourceFolderFile))
-    place = place.parent_path().parent_path().parent_path();
+  if (!exists(place / equipment::kSourceFolderFile)) {
+    while (!exists(place / "share" / "gurney") && place.has_relative_path())
+      place = place.parent_path();
+    place /= "bin";
+  }
   equipment::take_as_program(place / "program");
 }
 

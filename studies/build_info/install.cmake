@@ -56,7 +56,7 @@ else()
   ]] COMPONENT python)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies/python/gurney DESTINATION "\${GURNEY_PYTHON_FOLDER}"
-  COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+  COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 if(TARGET gurney_bindings)
   install(TARGETS gurney_bindings LIBRARY DESTINATION "\${GURNEY_PYTHON_FOLDER}/gurney"
     COMPONENT python OPTIONAL)
