@@ -99,6 +99,7 @@ class Graph {
   }
 
   draw(time) {
+    if (!this.width) return;  // in a frame that is hidden
     const pen = this.canvas.getContext('2d');
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
