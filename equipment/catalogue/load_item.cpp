@@ -227,9 +227,11 @@ const ContactConstants& floor_contact(const LoadedItem& item) {
 
 EquipmentModel as_rigid(const LoadedItem& item) {
   EquipmentModel whole = item.model;
-  for (const LoadedPart& part : item.parts)
+  for (const LoadedPart& part : item.parts) {
+    whole.shape.insert(whole.shape.end(), part.model.shape.begin(), part.model.shape.end());
     whole.payloads.push_back({part.model.name, part.model.chassis_mass,
                               part.model.chassis_center_of_mass, part.model.chassis_inertia});
+  }
   for (const LoadedContent& content : item.contents) {
     const Eigen::AngleAxisd turn(content.yaw, Vector3::UnitZ());
     whole.payloads.push_back(

@@ -65,7 +65,7 @@ struct LoadedItem {
 ///         caster that was read from a file.
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
 
-/// The item with its parts and contents as payloads: its masses as it stands.
+/// The item with its parts and contents as payloads, its masses as it stands, and with the boxes of its parts.
 EquipmentModel as_rigid(const LoadedItem& item);
 
 /// Constants of the item's chassis, or its feet, against the floor.

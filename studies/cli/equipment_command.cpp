@@ -49,11 +49,12 @@ int show(const ShownItem& options) {
       equipment::load_item_description(file, options.variants).stated();
   const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));
   const ContactConstants& floor = equipment::floor_contact(loaded);
-  report::EquipmentFacts facts{loaded.model,   equipment::item_sheet(loaded.model, floor),
+  const EquipmentModel whole = as_rigid(loaded);
+  report::EquipmentFacts facts{whole,          equipment::item_sheet(whole, floor),
                                floor,          item.description,
                                item.variants,  loaded.assumptions,
                                loaded.warnings};
-  for (std::string& finding : equipment::implausible(loaded.model))
+  for (std::string& finding : equipment::implausible(whole))
     facts.warnings.push_back(std::move(finding));
   if (!options.figure.empty())
     options.figure.write(figures::equipment_figure(facts), options.overwrite, true);

@@ -50,8 +50,6 @@ struct JobParts : Job {
     std::size_t first = 0;  ///< index in Scene::items of the first part
   };
   std::vector<Unfolded> unfolded;  ///< one for each item of the job
-  std::vector<std::size_t>
-      owners;  ///< of each item of the scene: the item of the job it belongs to
   /// Each item's own: against anything, and last against the floor; empty: none.
   std::vector<std::vector<ContactConstants>> item_contacts;
 };

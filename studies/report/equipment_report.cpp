@@ -185,7 +185,7 @@ Table items() {
     const equipment::LoadedItem item =
         equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
     const equipment::ItemSheet sheet =
-        equipment::item_sheet(item.model, equipment::floor_contact(item));
+        equipment::item_sheet(as_rigid(item), equipment::floor_contact(item));
     table.add({key, item.model.name, sheet.whole.mass, sheet.size.z(),
                sheet.stability.base / sheet.stability.height, sheet.stability.tilt,
                item.model.casters.size(), item.assumptions.size()});

@@ -337,7 +337,12 @@ std::string reason(const SettledDemand& demand) {
 
 /// "40 within 1 % and 3 within 5 %; NOT SETTLED: ...": demands of the item and of its marked points
 /// by name, those of wheels by their number.
-std::string settled_words(const std::vector<SettledDemand>& all, const EquipmentModel& model) {
+/// Without demands that the item has in none of the runs: a fall of one that stands on the floor.
+std::string settled_words(std::vector<SettledDemand> all, const EquipmentModel& model) {
+  std::erase_if(all, [](const SettledDemand& each) {
+    return std::isnan(each.number.value) && std::isnan(each.at_half_step) &&
+           std::isnan(each.of_twin);
+  });
   Texts counts, unsettled;
   for (const double fraction : SettledDemand::kFractions)
     if (const auto count = std::ranges::count(all, fraction, &SettledDemand::within); count > 0)

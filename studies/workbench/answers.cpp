@@ -190,7 +190,8 @@ Json plan_answer(const std::string& job) {
   config::Document document(job, kJob);
   const study::Job read = study::read_job(document);
   Json items = Json::array(), room = Json::array();
-  for (const PlacedItem& item : read.scene.items) {
+  for (std::size_t i = 0; i < read.scene.items.size(); ++i) {
+    const PlacedItem& item = read.scene.items[i];
     Json boxes = Json::array(), wheels = Json::array();
     for (const Box& box : item.model.shape) boxes.push_back(rectangle(box.center, box.size));
     for (const Caster& caster : item.model.casters)
@@ -199,6 +200,7 @@ Json plan_answer(const std::string& job) {
                         {"braked", caster.brake_torque > 0}});
     items.push_back({{"name", item.name},
                      {"model", item.model.name},
+                     {"owner", read.owners[i]},  // i itself, or of a part or content its item
                      {"at", pair(item.initial.position.x(), item.initial.position.y())},
                      {"yaw", item.initial.yaw},
                      {"boxes", boxes},
