@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "groundmotions/measures/oscillator.h"
+#include "groundmotions/measures/response_spectrum.h"
 
 namespace gurney::groundmotions {
 

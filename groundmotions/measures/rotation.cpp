@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/base/units.h"
-#include "groundmotions/measures/oscillator.h"
 #include "groundmotions/measures/response_spectrum.h"
 
 namespace gurney::groundmotions {

@@ -244,7 +244,7 @@ struct Unusable {
 };
 
 Unusable add_files(const std::vector<CsvCell>& row, const Columns& columns,
-               const std::filesystem::path& folder, SuiteRecord& record) {
+                   const std::filesystem::path& folder, SuiteRecord& record) {
   std::string reason;
   std::size_t absent = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -321,7 +321,7 @@ Suite read_peer_search_results(const SourceFile& file, const ReadOptions& option
         row.size() == columns.count
             ? add_files(row, columns, folder, record)
             : Unusable{fmt::format("{}:{}:1: {} cells, the header has {} columns", file.name(),
-                               line + 1 + file.blank_lines(), row.size(), columns.count)};
+                                   line + 1 + file.blank_lines(), row.size(), columns.count)};
     if (problem.is_absent)
       absent.push_back(record.name);
     else if (problem.reason.empty())

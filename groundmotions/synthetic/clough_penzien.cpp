@@ -10,8 +10,8 @@
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
 #include "groundmotions/formats/writers.h"
-#include "groundmotions/measures/oscillator.h"
 #include "groundmotions/measures/peaks.h"
+#include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/synthetic/component.h"
 
 namespace gurney::groundmotions {

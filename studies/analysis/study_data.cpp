@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "engine/base/error.h"
 #include "engine/config/document.h"
@@ -230,6 +231,11 @@ ReportUnit report_unit(const StudyData& data, const RunMeasure& measure) {
                       measure.name == data.file().text_attribute("intensity_measure");
   if (stated) return {plan.unit, plan.unit_in_si};
   return data.units().of(measure.units);
+}
+
+std::string place_of_job(const std::string& job, const std::string& results) {
+  if (!job.empty()) return job;
+  return (std::filesystem::path(results).parent_path() / "the job of the results.toml").string();
 }
 
 }  // namespace gurney::study

@@ -8,7 +8,7 @@
 #include "groundmotions/measures/combination.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "studies/analysis/configuration_view.h"
-#include "studies/analysis/kept_job.h"
+#include "studies/analysis/study_data.h"
 #include "studies/plan/study_motions.h"
 
 namespace gurney::study {

@@ -52,6 +52,10 @@ double peak_dip(const FloorRotation& rotation, groundmotions::Direction directio
       .maxCoeff();
 }
 
+groundmotions::Peaks peaks_of(const groundmotions::Component& component) {
+  return groundmotions::peaks(component.time_step, component.acceleration);
+}
+
 /// PGA and PGV, PFA and PFV of the components.
 nlohmann::ordered_json facts_json(const groundmotions::Building& building, int floor,
                                   const groundmotions::Record& ground,
@@ -60,10 +64,8 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
       {"building", building.name}, {"floor", floor}, {"storeys", building.storeys}};
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!ground[direction]) continue;
-    const groundmotions::Component& above = *response.floor[direction];
-    const groundmotions::Peaks below =
-        groundmotions::peaks(ground[direction]->time_step, ground[direction]->acceleration);
-    const groundmotions::Peaks peak = groundmotions::peaks(above.time_step, above.acceleration);
+    const groundmotions::Peaks below = peaks_of(*ground[direction]);
+    const groundmotions::Peaks peak = peaks_of(*response.floor[direction]);
     facts[name_of(direction)] = {{"pga_m_per_s2", below.acceleration},
                                  {"pgv_m_per_s", below.velocity},
                                  {"pfa_m_per_s2", peak.acceleration},
@@ -91,10 +93,8 @@ void print_facts(const groundmotions::Building& building, int floor,
   fmt::print("{}, floor {} of {}\n", building.name, floor, building.storeys);
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!ground[direction]) continue;
-    const groundmotions::Component& above = *response.floor[direction];
-    const groundmotions::Peaks below =
-        groundmotions::peaks(ground[direction]->time_step, ground[direction]->acceleration);
-    const groundmotions::Peaks peak = groundmotions::peaks(above.time_step, above.acceleration);
+    const groundmotions::Peaks below = peaks_of(*ground[direction]);
+    const groundmotions::Peaks peak = peaks_of(*response.floor[direction]);
     fmt::print("  {:<9} PGA {:.3g} g, PFA {:.3g} g; PGV {:.3g} m/s, PFV {:.3g} m/s\n",
                name_of(direction), below.acceleration / kStandardGravity,
                peak.acceleration / kStandardGravity, below.velocity, peak.velocity);

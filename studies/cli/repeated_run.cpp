@@ -41,11 +41,17 @@ std::string text_of(const fs::path& path) {
   return is_there(path) ? read_input_file(path.string()) : std::string();
 }
 
-std::string job_of(const study::StudyReader& file, const std::string& named) {
-  const std::string job = named.empty() ? job_of_log(file.path()) : named;
+/// The job of a results file: as named, or else where the log beside the file says it was.
+std::string existing_job(const std::string& results, const std::string& named) {
+  const std::string job = named.empty() ? job_of_log(results) : named;
   require(!job.empty() && is_there(job),
-          fmt::format("{}: the job's file {}; name it with --job", file.path(),
+          fmt::format("{}: the job's file {}; name it with --job", results,
                       job.empty() ? "is not known" : job + " " + why_not_there(job)));
+  return job;
+}
+
+std::string job_of(const study::StudyReader& file, const std::string& named) {
+  const std::string job = existing_job(file.path(), named);
   const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);
   if (theirs == sha256(text)) return job;
   const std::string keys = study::job_difference(file.job_text(), text);
@@ -58,22 +64,38 @@ std::size_t whole(const study::StudyReader& file, const std::string& column, std
   return static_cast<std::size_t>(file.numbers("runs/" + column)[run]);
 }
 
-/// A demand that is not the same as in the study; empty: all are.
+/// The demands of one run as its file has them: a column, a number for each item.
+using StoredDemands =
+    std::vector<std::pair<const study::TableColumn<Demands>*, std::vector<double>>>;
+
+/// The first demand of a run that is not as stored; empty: all are.
+std::string difference_to(const StoredDemands& stored, const Response& response) {
+  for (const auto& [column, theirs] : stored)
+    for (std::size_t i = 0; i < response.items.size(); ++i) {
+      const double ours = column->value(response.items[i].demands);
+      if (i < theirs.size() && (ours == theirs[i] || (std::isnan(ours) && std::isnan(theirs[i]))))
+        continue;
+      return fmt::format("{} is {:.17g}, there {:.17g}", column->name, ours,
+                         i < theirs.size() ? theirs[i] : 0);
+    }
+  return {};
+}
+
 std::string demand_difference(const study::StudyReader& file, std::size_t run,
                               const Response& response) {
   const auto [first, last] = file.rows_of_runs("items")[run];
   if (last - first != (is_failure(response.outcome) ? 0 : response.items.size()))
     return "the outcome";
+  if (last == first) return {};
+  StoredDemands stored;
   for (const study::TableColumn<Demands>& column : study::demand_columns()) {
-    if (!file.has_column(std::string("items/") + column.name)) continue;
-    const std::vector<double> theirs = file.numbers(std::string("items/") + column.name);
-    for (std::size_t row = first; row < last; ++row) {
-      const double ours = column.value(response.items[row - first].demands);
-      const bool same = ours == theirs[row] || (std::isnan(ours) && std::isnan(theirs[row]));
-      if (!same) return fmt::format("{} is {:.17g}, there {:.17g}", column.name, ours, theirs[row]);
-    }
+    const std::string path = std::string("items/") + column.name;
+    if (!file.has_column(path)) continue;
+    const std::vector<double> all = file.numbers(path);
+    stored.emplace_back(&column, std::vector(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                             all.begin() + static_cast<std::ptrdiff_t>(last)));
   }
-  return {};
+  return difference_to(stored, response);
 }
 
 /// Names of data files that are not what the study was run with.
@@ -92,16 +114,11 @@ const study::StudyReader& with_run(const study::StudyReader& file, std::size_t r
   return file;
 }
 
-namespace fs = std::filesystem;
-
 std::string type_of(const study::Hdf5Reader& file) {
   const auto attributes = file.attributes();
   if (std::ranges::find(attributes, "filetype") == attributes.end()) return {};
   return file.text_attribute("filetype");
 }
-
-/// The demands of one run as its file has them, by column.
-using StoredDemands = std::vector<std::pair<std::string, std::vector<double>>>;
 
 StoredDemands demands_of(const study::Hdf5Reader& file) {
   StoredDemands demands;
@@ -109,44 +126,27 @@ StoredDemands demands_of(const study::Hdf5Reader& file) {
   for (const study::TableColumn<Demands>& column : study::demand_columns()) {
     const std::string path = std::string("/items/") + column.name;
     if (std::ranges::find(known, path, &study::Hdf5Dataset::path) != known.end())
-      demands.emplace_back(column.name, file.numbers(path));
+      demands.emplace_back(&column, file.numbers(path));
   }
   return demands;
-}
-
-std::string difference_to(const std::string& path, const StoredDemands& stored,
-                          const Response& response) {
-  for (const auto& [name, theirs] : stored) {
-    const auto column =
-        std::ranges::find_if(study::demand_columns(),
-                             [&wanted = name](const auto& each) { return each.name == wanted; });
-    for (std::size_t i = 0; i < response.items.size(); ++i) {
-      const double ours = column->value(response.items[i].demands);
-      if (i < theirs.size() && (ours == theirs[i] || (std::isnan(ours) && std::isnan(theirs[i]))))
-        continue;
-      return fmt::format(
-          "{}: its job gives other results now: {} is {:.17g}, there {:.17g}; a record, an item, "
-          "the program or the machine has changed",
-          path, name, ours, i < theirs.size() ? theirs[i] : 0);
-    }
-  }
-  return {};
 }
 
 RepeatedRun single_run(const std::string& path, const std::string& named) {
   const study::Hdf5Reader file(path);
   require(type_of(file) == "gurney-results", path + ": is not a results file");
-  const std::string job = named.empty() ? job_of_log(path) : named;
-  require(!job.empty() && is_there(job),
-          fmt::format("{}: the job's file {}; name it with --job", path,
-                      job.empty() ? "is not known" : job + " " + why_not_there(job)));
+  const std::string job = existing_job(path, named);
   RepeatedRun result{study::prepare_run(job), {}};
   const std::string& text = result.run.facts.job_text;
   if (result.run.facts.job_sha256 != file.text_attribute("job_sha256"))
     throw Error(fmt::format("{}: is not the job of {}: {}", job, path,
                             study::job_difference(file.text_attribute("job_text"), text)));
   result.difference = [path, stored = demands_of(file)](const Response& response) {
-    return difference_to(path, stored, response);
+    const std::string differs = difference_to(stored, response);
+    if (differs.empty()) return differs;
+    return fmt::format(
+        "{}: its job gives other results now: {}; a record, an item, the program or the machine "
+        "has changed",
+        path, differs);
   };
   return result;
 }
@@ -154,7 +154,6 @@ RepeatedRun single_run(const std::string& path, const std::string& named) {
 }  // namespace
 
 std::string job_of_log(const std::string& results) {
-  namespace fs = std::filesystem;
   const fs::path log = fs::path(results).replace_extension(".log");
   if (!is_there(log)) return {};
   const std::string text = '\n' + read_input_file(log.string());

@@ -5,8 +5,8 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
-#include "studies/analysis/kept_job.h"
 #include "studies/analysis/overview.h"
+#include "studies/analysis/study_data.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
 #include "studies/cli/repeated_run.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "studies/exports/chosen_curves.h"
+#include "studies/exports/fragility_export.h"
 #include "studies/units/unit_system.h"
 
 namespace gurney::study {

@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "engine/config/document.h"
 #include "equipment/catalogue/item_sheet.h"
-#include "studies/analysis/kept_job.h"
+#include "studies/analysis/study_data.h"
 #include "studies/figures/equipment_figure.h"
 #include "studies/figures/scene_figure.h"
 #include "studies/job/job.h"

@@ -98,9 +98,11 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 
 bool same_bits(const Sample& a, const Sample& b) {
   bool equal = same_bits(a.time, b.time) && same_bits(a.yaw, b.yaw) && same_bits(a.tilt, b.tilt) &&
-               same_bits(a.energy.loss(), b.energy.loss()) && same_bits(a.energy.stored(), b.energy.stored());
+               same_bits(a.energy.loss(), b.energy.loss()) &&
+               same_bits(a.energy.stored(), b.energy.stored());
   for (int k = 0; k < 3; ++k)
-    equal &= same_bits(a.displacement[k], b.displacement[k]) && same_bits(a.velocity[k], b.velocity[k]) &&
+    equal &= same_bits(a.displacement[k], b.displacement[k]) &&
+             same_bits(a.velocity[k], b.velocity[k]) &&
              same_bits(a.acceleration[k], b.acceleration[k]);
   for (std::size_t w = 0; w < 4; ++w)
     equal &= same_bits(a.wheels[w].normal_force, b.wheels[w].normal_force) &&

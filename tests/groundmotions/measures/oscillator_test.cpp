@@ -1,8 +1,8 @@
-#include "groundmotions/measures/oscillator.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "groundmotions/measures/response_spectrum.h"
 
 namespace gurney::groundmotions {
 namespace {

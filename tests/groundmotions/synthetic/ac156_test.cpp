@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "engine/base/units.h"
-#include "groundmotions/measures/oscillator.h"
 #include "groundmotions/measures/peaks.h"
+#include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/synthetic/component.h"
 #include "tests/support/expect_error.h"
 

@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 
-#include "studies/doctor/determinism.h"
 #include "studies/doctor/examination.h"
 #include "tests/support/temp_folder.h"
 

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "studies/analysis/overview.h"
-#include "studies/exports/chosen_curves.h"
 #include "studies/exports/export.h"
+#include "studies/exports/fragility_export.h"
 #include "studies/statistics/capacity.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_study.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "studies/exports/chosen_curves.h"
+#include "studies/exports/fragility_export.h"
 
 namespace gurney::study {
 namespace {
