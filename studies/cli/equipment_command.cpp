@@ -3,7 +3,6 @@
 
 #include "engine/base/error.h"
 #include "equipment/catalogue/catalogue.h"
-#include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_check.h"
@@ -45,13 +44,7 @@ int show(const ShowOptions& options) {
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
   const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));
-  const ContactConstants& floor = equipment::floor_contact(loaded);
-  report::EquipmentFacts facts{loaded.model,   equipment::item_sheet(loaded.model, floor),
-                               floor,          item.description,
-                               item.variants,  loaded.assumptions,
-                               loaded.warnings};
-  for (std::string& finding : equipment::implausible(loaded.model))
-    facts.warnings.push_back(std::move(finding));
+  const report::EquipmentFacts facts = report::equipment_facts(item, loaded);
   if (!options.figure.empty())
     options.figure.write(figures::equipment_figure(facts), options.overwrite, true);
   print_findings(report::equipment_findings(facts, options.assumptions), options.json);

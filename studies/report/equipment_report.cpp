@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/units.h"
+#include "equipment/catalogue/check_file.h"
 
 namespace gurney::report {
 namespace {
@@ -156,6 +157,18 @@ void add_assumptions(Section& to, const std::vector<equipment::Assumption>& all,
 }
 
 }  // namespace
+
+EquipmentFacts equipment_facts(const equipment::ItemDescription& item,
+                               const equipment::LoadedItem& loaded) {
+  const ContactConstants& floor = equipment::floor_contact(loaded);
+  EquipmentFacts facts{loaded.model,   equipment::item_sheet(loaded.model, floor),
+                       floor,          item.description,
+                       item.variants,  loaded.assumptions,
+                       loaded.warnings};
+  for (std::string& finding : equipment::implausible(loaded.model))
+    facts.warnings.push_back(std::move(finding));
+  return facts;
+}
 
 findings::Section equipment_findings(const EquipmentFacts& facts, bool with_assumptions) {
   Section all{"", facts.model.name};
