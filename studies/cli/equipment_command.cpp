@@ -6,7 +6,6 @@
 
 #include "engine/base/error.h"
 #include "equipment/catalogue/catalogue.h"
-#include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
@@ -48,14 +47,7 @@ int show(const ShownItem& options) {
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
   const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));
-  const ContactConstants& floor = equipment::floor_contact(loaded);
-  const EquipmentModel whole = as_rigid(loaded);
-  report::EquipmentFacts facts{whole,          equipment::item_sheet(whole, floor),
-                               floor,          item.description,
-                               item.variants,  loaded.assumptions,
-                               loaded.warnings};
-  for (std::string& finding : equipment::implausible(whole))
-    facts.warnings.push_back(std::move(finding));
+  const report::EquipmentFacts facts = report::equipment_facts(item, loaded);
   if (!options.figure.empty())
     options.figure.write(figures::equipment_figure(facts), options.overwrite, true);
   print_findings(report::equipment_findings(facts, options.assumptions), options.json);
