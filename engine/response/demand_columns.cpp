@@ -50,7 +50,8 @@ constexpr TableColumn<Demands> kDemands[] = {
      "NaN: it stands on the floor",
      &Demands::peak_slide, kNaN},
     {"time_of_fall", "s",
-     "time at which its centre of mass is below that surface; -1: it did not fall",
+     "time at which its centre of mass is below that surface, or has come down with it below half "
+     "of its height; -1: it did not fall",
      &Demands::time_of_fall, -1},
     {"peak_travel", "m", "largest travel of a part on its slider; NaN: it is on none",
      &Demands::peak_travel, kNaN},

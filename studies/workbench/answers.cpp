@@ -48,6 +48,19 @@ Json rectangle(const Vector3& center, const Vector3& size) {
           pair(center.x() + x, center.y() + y), pair(center.x() - x, center.y() + y)};
 }
 
+/// The same of an item that starts as `of`, in the axes of one that starts as `from`.
+Json rectangle(const Vector3& center, const Vector3& size, const InitialMotion& of,
+               const InitialMotion& from) {
+  const Eigen::Rotation2Dd turn(of.yaw - from.yaw), back(-from.yaw);
+  Json corners = Json::array();
+  for (const auto& corner : rectangle(center, size)) {
+    const Vector2 at =
+        back * (of.position - from.position).head<2>() + turn * Vector2(corner[0], corner[1]);
+    corners.push_back(pair(at.x(), at.y()));
+  }
+  return corners;
+}
+
 Json outline_of(const RoomShape& shape) {
   Json corners = Json::array();
   const auto* const box = std::get_if<RoomBox>(&shape.shape);
@@ -108,6 +121,13 @@ Json plan_answer(const std::string& job) {
   Json items = Json::array(), room = Json::array();
   for (std::size_t i = 0; i < read.scene.items.size(); ++i) {
     const PlacedItem& item = read.scene.items[i];
+    if (const std::size_t owner = read.owners[i];
+        owner != i) {  // a part or a content is drawn with its item
+      for (const Box& box : item.model.shape)
+        items[owner]["boxes"].push_back(
+            rectangle(box.center, box.size, item.initial, read.scene.items[owner].initial));
+      continue;
+    }
     Json boxes = Json::array(), wheels = Json::array();
     for (const Box& box : item.model.shape) boxes.push_back(rectangle(box.center, box.size));
     for (const Caster& caster : item.model.casters)
@@ -116,7 +136,6 @@ Json plan_answer(const std::string& job) {
                         {"braked", caster.brake_torque > 0}});
     items.push_back({{"name", item.name},
                      {"model", item.model.name},
-                     {"owner", read.owners[i]},  // i itself, or of a part or content its item
                      {"at", pair(item.initial.position.x(), item.initial.position.y())},
                      {"yaw", item.initial.yaw},
                      {"boxes", boxes},
