@@ -1,19 +1,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
-#include "studies/analysis/kept_job.h"
 #include "studies/analysis/overview.h"
 #include "studies/cli/assessment_options.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/job_of_log.h"
 #include "studies/cli/print.h"
 #include "studies/cli/scratch_folder.h"
+#include "studies/cli/unfinished.h"
 #include "studies/cli/units_option.h"
 #include "studies/report/overview_report.h"
 #include "studies/run/shard_status.h"
@@ -21,30 +19,12 @@
 namespace gurney::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct ShowOptions {
   std::string file, job;
   study::AssessmentRequest assessed_by;
   study::UnitSystem units;
   bool json = false;
 };
-
-/// The results that FILE.h5.parts, or .shards, will become.
-std::string results_of(const fs::path& folder) {
-  const fs::path name = folder.has_filename() ? folder : folder.parent_path();
-  return (name.parent_path() / name.stem()).string();
-}
-
-/// The path of the job in a folder of shards, or in the log beside the parts, which is written when a
-/// process ends.
-std::string job_of_folder(const fs::path& folder) {
-  if (!is_there(folder / "job"))
-    return study::place_of_job(job_of_log(results_of(folder)), results_of(folder));
-  std::string path = study::file_bytes(folder / "job");
-  while (path.ends_with('\n')) path.pop_back();
-  return path;
-}
 
 /// Of what is finished, as a results file that is there for the moment. Its runs will have other
 /// numbers once the study is complete, so that none can be repeated yet.

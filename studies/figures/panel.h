@@ -50,7 +50,9 @@ struct Marks {
   std::vector<double> x, y;
   Pen pen;  ///< without a fill: white inside
   Marker marker = Marker::kCircle;
-  double radius = 3;  ///< [px]
+  double radius = 3;                   ///< [px]
+  std::string name = {};               ///< of what they are, on a page; empty: the label
+  std::vector<std::size_t> runs = {};  ///< of which each is; empty: of none
 };
 
 /// A line in a colour of palette().
@@ -124,6 +126,7 @@ struct Panel {
   std::vector<Bar> bars = {};    ///< below the curves
   std::vector<Span> spans = {};  ///< below all
   std::vector<Guide> guides = {};
+  bool overlaid = false;  ///< something else is drawn over the axes, which pages then do not zoom
 };
 
 /// Where in the picture a panel stands: the rectangle of its axes, without labels [px].

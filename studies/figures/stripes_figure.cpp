@@ -23,6 +23,7 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
     Marks& marks = run.overturned ? fell : stood;
     marks.x.push_back(im + offset);
     marks.y.push_back(run.overturned ? ceiling : demand);
+    marks.runs.push_back(run.run);
     stripes[im].push_back(run.overturned ? std::numeric_limits<double>::infinity() : demand);
   }
   Curve median{
@@ -44,6 +45,7 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
   }
   panel.curves.push_back(std::move(median));
   panel.areas.push_back(std::move(band));
+  stood.name = of.name;
   panel.marks.push_back(std::move(stood));
   if (fell.x.empty()) return;
   fell.label = of.name.empty() ? "overturned" : of.name + ", overturned";

@@ -40,6 +40,8 @@ std::string escaped(const std::string& text) {
       result += "&lt;";
     } else if (c == '>') {
       result += "&gt;";
+    } else if (c == '"') {
+      result += "&quot;";
     } else {
       result += c;
     }
@@ -94,7 +96,18 @@ void Svg::begin_clip(double x, double y, double width, double height) {
       clips_, x, y, width, height);
 }
 
-void Svg::end_clip() { body_ += "</g>\n"; }
+void Svg::begin_group(const std::vector<std::pair<std::string, std::string>>& attributes) {
+  body_ += "<g";
+  for (const auto& [name, value] : attributes)
+    body_ += fmt::format(" {}=\"{}\"", name, escaped(value));
+  body_ += ">\n";
+}
+
+void Svg::end_group() { body_ += "</g>\n"; }
+
+void Svg::describe(const std::string& text) {
+  body_ = "<desc>" + escaped(text) + "</desc>\n" + body_;
+}
 
 std::string Svg::str() const {
   return fmt::format(

@@ -38,9 +38,16 @@ class Svg {
   void polyline(const Points& points, const Pen& pen, bool closed = false);
   void text(double x, double y, const std::string& text, const TextStyle& style = {});
 
-  /// What follows is drawn inside this rectangle only, until end_clip().
+  /// What follows is drawn inside this rectangle only, until end_group().
   void begin_clip(double x, double y, double width, double height);
-  void end_clip();
+
+  /// What follows belongs together, until end_group(); a page reads the attributes.
+  /// @param attributes  names, which must be plain, and values of any text
+  void begin_group(const std::vector<std::pair<std::string, std::string>>& attributes);
+  void end_group();
+
+  /// Says what the picture shows; it is not drawn.
+  void describe(const std::string& text);
 
   std::string str() const;
 
