@@ -15,12 +15,14 @@
 #include "engine/base/parallel.h"
 #include "engine/config/unit_limit.h"
 #include "engine/run/run.h"
+#include "studies/analysis/study_data.h"
 #include "studies/build_info/build_info.h"
 #include "studies/explanation/explain.h"
 #include "studies/plan/study_job.h"
 #include "studies/report/run_report.h"
 #include "studies/results/columns.h"
 #include "studies/results/hdf5_reader.h"
+#include "studies/run/part_folder.h"
 #include "studies/run/run_task.h"
 #include "studies/run/study_identity.h"
 
@@ -160,6 +162,22 @@ std::string job_of_log(const std::string& results) {
   const std::string job = value_of(text, "job");
   const fs::path from_its_folder = fs::path(value_of(text, "folder")) / job;
   return is_there(job) || !is_there(from_its_folder) ? job : from_its_folder.string();
+}
+
+std::string results_of_folder(const std::string& folder) {
+  const fs::path path = folder, name = path.has_filename() ? path : path.parent_path();
+  return (name.parent_path() / name.stem()).string();
+}
+
+std::string job_of_folder(const std::string& folder) {
+  const fs::path kept = fs::path(folder) / "job";
+  if (!is_there(kept)) {
+    const std::string results = results_of_folder(folder);
+    return study::place_of_job(job_of_log(results), results);
+  }
+  std::string path = study::file_bytes(kept);
+  while (path.ends_with('\n')) path.pop_back();
+  return path;
 }
 
 std::string why_not_there(const std::string& path) {

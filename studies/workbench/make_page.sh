@@ -18,7 +18,7 @@ filled() {
     } {print}'
 }
 
-cat "$player"/{vectors,recording,meshes,shaders,renderer,camera,room,graph,widgets,player}.js > "$folder/player.js"
+cat "$player"/{vectors,recording,meshes,shaders,renderer,camera,room,graph,widgets,saving,player}.js > "$folder/player.js"
 filled '/*STYLE*/' "$player/playback.css" < "$player/page.html" |
   filled '/*SCRIPT*/' "$folder/player.js" | base64 > "$folder/playback"
 gzip -9 --no-name --stdout "$1" | base64 > "$folder/engine"
