@@ -28,6 +28,9 @@ constexpr std::array kCommands = {
                 "gurney check job.toml --json"},
     CommandHelp{"replay", "Re-run one case of a study with full output",
                 "gurney replay ventilator.h5 12"},
+    CommandHelp{"workbench", "Write the page that runs jobs in a browser, filled with yours",
+                "gurney workbench -o workbench.html\n"
+                "gurney workbench studies/jobs/icu_bay.toml -o bay.html"},
     CommandHelp{"show", "Summarize a results file", "gurney show ventilator.h5"},
     CommandHelp{"plot", "Plot what a results file holds",
                 "gurney plot ventilator.h5 --list\n"
