@@ -10,6 +10,10 @@ foreach(folder equipment groundmotions/records groundmotions/buildings studies/j
     COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN catalogue EXCLUDE)
 endforeach()
 
+# The page of the workbench, where ./dev workbench has made it.
+install(FILES ${PROJECT_SOURCE_DIR}/build/workbench/workbench.html DESTINATION share/gurney
+  COMPONENT program OPTIONAL)
+
 # The license, with the notices of code that is compiled in.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/notices.txt notices)

@@ -95,6 +95,7 @@ cat > try.js << 'JS'
     found.item_facts = element('item-facts').textContent;
     for (let i = 0; i < 3; ++i) part('caster 0').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true }));
     await until(() => file.value.includes('value = [248, 213, 0]'));
+    await editor.steps;
     found.item_kept = file.value.includes('# base');
     const svg = element('item-plan');
     svg.setPointerCapture = () => {};
@@ -167,7 +168,7 @@ value item_error | grep -q "^line [0-9]*: .*nam" || complain "an error of the it
 [ "$(value used)" = true ] || complain "the edited item does not stand in the room"
 [ -z "$(value errors_of_item)$(value errors_of_taking)" ] || complain "$(value errors_of_item) $(value errors_of_taking)"
 value item > edited.toml
-expect 0 "edited.toml: ICU ventilator on cart" "$gurney" equipment check edited.toml
+expect 0 "edited.toml: item 'ICU ventilator on cart' is valid" "$gurney" equipment check edited.toml
 [ "$(value prevented)" -gt 5 ] || complain "only $(value prevented) changes are run"
 value taken | grep -q "^Take over: " || complain "no change can be taken over"
 [ -s console ] && { cp console stdout; complain "the page logs"; }
