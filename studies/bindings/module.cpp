@@ -3,10 +3,12 @@
 #include <pybind11/stl.h>
 
 #include "engine/base/error.h"
+#include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/data_folder.h"
 #include "studies/bindings/array_record.h"
 #include "studies/bindings/arrays.h"
 #include "studies/bindings/finished_run.h"
+#include "studies/bindings/study_curves.h"
 #include "studies/build_info/build_info.h"
 #include "studies/results/names.h"
 #include "studies/results/results_file.h"
@@ -86,6 +88,14 @@ PYBIND11_MODULE(_engine, module) {
       .def("results", &results_bytes);
   module.def("simulate", &simulate, py::arg("path"), py::arg("text"), py::arg("record"),
              py::arg("time_step"), py::arg("predictability"));
+  module.def("data_folder", &equipment::data_folder);
+  using equipment::DataKind;
+  py::enum_<DataKind>(module, "DataKind")
+      .value("item", DataKind::kItem)
+      .value("caster", DataKind::kCaster);
+  module.def("find_data", &equipment::find_data, py::arg("kind"), py::arg("name"),
+             py::arg("named_in"));
+  define_curves(module);
 }
 
 }  // namespace gurney::bindings
