@@ -32,7 +32,7 @@ constexpr std::size_t kFewest = 40;
 /// 0: not known.
 std::size_t stated_columns() {
   winsize window{};
-  if (const char* columns = std::getenv("COLUMNS")) return std::strtoul(columns, nullptr, 10);
+  if (const char* text = std::getenv("COLUMNS")) return std::strtoul(text, nullptr, 10);
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 ? window.ws_col : 0;
 }
 
