@@ -190,10 +190,10 @@ FragilityResult judged(const StudyData& data, const FragilityRequest& request,
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request) {
   const RunMeasure measure = data.measure(request.measure);
   const LimitState& state = data.limit_states().at(request.state);
-  FragilityResult result = judged(
-      data, request, measure,
-      fitted_curve(data, request.state, request.configuration, measure, request.method),
-      state.limit);
+  FragilityResult result =
+      judged(data, request, measure,
+             fitted_curve(data, request.state, request.configuration, measure, request.method),
+             state.limit);
   result.state = state.name;
   result.words = state.words;
   if (result.cloud) result.demand_units = units_of(state.quantity);
@@ -207,8 +207,8 @@ FragilityResult fragility_of_outcomes(const StudyData& data,
   FittedCurve fitted;
   fitted.observations = data.observations(exceeded, request.configuration, measure);
   fitted.fit = statistics::fit_fragility(fitted.observations);
-  fitted.audit = outcome_audit(fitted.fit, fitted.observations,
-                               scale_factors(data, request.configuration));
+  fitted.audit =
+      outcome_audit(fitted.fit, fitted.observations, scale_factors(data, request.configuration));
   return judged(data, request, measure, std::move(fitted), 0);
 }
 
