@@ -110,7 +110,7 @@ with_script study.html script.js copy.html
 [ "$(dom copy.html --window-size=500,900 | found)" = true ] ||
   complain "the page is wider than its window"
 # Panels stand beside each other where there is room, else below.
-printf 'return new Set([...document.querySelectorAll("#demands .figures figure")].map((each) => each.offsetTop)).size;\n' > script.js
+printf 'return new Set([...document.querySelector("#demands .figures").querySelectorAll("figure")].map((each) => each.offsetTop)).size;\n' > script.js
 with_script study.html script.js copy.html
 [ "$(dom copy.html --window-size=1400,900 | found)" = 1 ] || complain "panels are not side by side"
 [ "$(dom copy.html --window-size=500,900 | found)" = 2 ] || complain "panels are not stacked"
