@@ -5,7 +5,7 @@
 namespace gurney {
 namespace {
 
-/// What stands on an item that overturns comes down with it: below this part of the surface's height.
+/// An item on one that overturns comes down with it: below this part of the surface's height.
 constexpr double kCameDown = 0.5;
 
 }  // namespace

@@ -140,7 +140,7 @@ std::optional<std::size_t> joint_of(const Scene& scene, std::size_t item) {
 
 namespace {
 
-/// What an item hangs or stands on; none: the floor or a shape of the room.
+/// The item that another hangs or stands on; none: the floor or a shape of the room.
 std::optional<std::size_t> item_below(const Scene& scene, std::size_t item) {
   if (const auto joint = joint_of(scene, item)) return scene.joints[*joint].base;
   const std::optional<Support>& on = scene.items[item].on;

@@ -60,8 +60,8 @@ ContactConstants contact_constants(const Scene& scene, const std::string& item,
 /// Index in Scene::joints of the joint of which an item is the part; none for a whole item.
 std::optional<std::size_t> joint_of(const Scene& scene, std::size_t item);
 
-/// What carries an item in the end: over joints and what it stands on, the item on the floor or on a shape of
-/// the room; or itself.
+/// The item that carries another over joints and supports, which stands on the floor or on a shape of the
+/// room; or itself.
 std::size_t carrier_of(const Scene& scene, std::size_t item);
 
 /// Places an item elsewhere, with its parts and with what stands on them.

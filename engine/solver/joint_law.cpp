@@ -10,7 +10,7 @@ namespace {
 
 using JointKind = gurney::Joint::Kind;
 
-/// How a stop pushes: by its stiffness and restitution, without friction.
+/// The law of a stop: stiffness and restitution, without friction.
 ContactConstants stop_of(const Joint& joint) {
   return {ContactConstants::Kind::kRestitution, joint.stop_stiffness, joint.restitution, 0, 0};
 }
@@ -25,8 +25,8 @@ Vector3 rotation_vector(const Matrix3& rotation) {
 }
 
 /// J' with theta' = J w for the angular velocity w that turns a body of the rotation vector theta,
-///   J = 1 - [theta] / 2 + (1 / a^2 - (1 + cos a) / (2 a sin a)) [theta]^2,   a = |theta|
-/// (Iserles et al. 2000, Acta Numerica 9:215, section B).
+///   J = 1 - [theta] / 2 + (1 / a^2 - (1 + cos a) / (2 a sin a)) [theta]^2,   a = |theta|,
+/// the inverse of w = (1 + (1 - cos a) / a^2 [theta] + (a - sin a) / a^3 [theta]^2) theta'.
 Matrix3 transposed_rate_matrix(const Vector3& theta) {
   const double angle = theta.norm();
   const double quadratic =
@@ -121,17 +121,16 @@ ImpactLaw::Stage JointLaw::at_stop(const Stage& stage, int side) const {
   return at;
 }
 
-JointLaw::Along JointLaw::along(const Stage& stage, double rate) const {
+JointLaw::Force JointLaw::along(const Stage& stage, double rate) const {
   const Row& row = stage.rows.rows[*stage.rows.along];
   const double tau = stage.tau, q = row.value + tau * rate;
-  Along result;
-  Force& sum = result.force;
+  Force sum;
   sum.force = row.stiffness * (q - joint_.rest) + row.damping * rate;
   sum.slope = tau * row.stiffness + row.damping;
   if (joint_.friction > 0) {
-    result.friction = friction_.evaluate(stage.start.wind, rate, joint_.friction, tau);
-    sum.force -= result.friction.torque;
-    sum.slope += result.friction.rate_slope;
+    const auto friction = friction_.evaluate(stage.start.wind, rate, joint_.friction, tau);
+    sum.force -= friction.torque;
+    sum.slope += friction.rate_slope;
   }
   if (stage.start.latched) {
     const double k = latch_stiffness(), c = k * kHoldTime;
@@ -146,11 +145,11 @@ JointLaw::Along JointLaw::along(const Stage& stage, double rate) const {
     sum.force -= away * push.z();
     sum.slope += slope(2, 2);
   }
-  return result;
+  return sum;
 }
 
 JointLaw::Force JointLaw::force(const Stage& stage, std::size_t index, double rate) const {
-  if (index == stage.rows.along) return along(stage, rate).force;
+  if (index == stage.rows.along) return along(stage, rate);
   const Row& row = stage.rows.rows[index];
   return {row.stiffness * (row.value + stage.tau * rate) + row.damping * rate,
           stage.tau * row.stiffness + row.damping};
@@ -169,8 +168,7 @@ double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rat
   const double rate = rates[*stage.rows.along], tau = stage.tau;
   end.coordinate = stage.rows.rows[*stage.rows.along].value + tau * rate;
   if (joint_.friction > 0) {
-    const DryFriction::Result friction = along(stage, rate).friction;
-    end.wind = friction.deflection;
+    end.wind = friction_.evaluate(stage.start.wind, rate, joint_.friction, tau).deflection;
     const double winding = (end.wind - stage.start.wind) / tau;
     power.damper_loss += friction_.stiffness * end.wind * (rate - winding);
     spring_rates += friction_.stiffness * winding * winding;
@@ -193,12 +191,12 @@ double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rat
 }
 
 double JointLaw::past_release(const JointState& state) const {
-  if (!state.latched || locked()) return -1;
+  if (!state.latched || !releases()) return -1;
   return std::abs(state.coordinate - state.latched_at) - kLatchYield;
 }
 
 double JointLaw::work_latch(double rate, JointState& state) const {
-  if (joint_.latch == 0 || locked()) return 0;
+  if (!releases()) return 0;
   if (!state.latched) {
     if (joint_.relatches && std::abs(state.coordinate) < kCatchRange &&
         std::abs(rate) < kCatchSpeed) {
@@ -222,9 +220,8 @@ double JointLaw::stored_energy(const Rows& rows, const JointState& state) const 
   }
   if (!rows.along) return energy;
   const double q = rows.rows[*rows.along].value;
-  if (state.latched) {
+  if (state.latched)
     energy += 0.5 * latch_stiffness() * (q - state.latched_at) * (q - state.latched_at);
-  }
   return energy + stop_.stored_energy(joint_.lower - q, 0) +
          stop_.stored_energy(q - joint_.upper, 0);
 }

@@ -79,7 +79,7 @@ class JointLaw {
   double finish(const Stage& stage, const std::array<double, kRows>& rates, EnergyAccount& power,
                 JointState& end) const;
 
-  /// How much farther than it holds a latch has yielded; -1 without one that may let go [m], [rad].
+  /// Yield of a latch beyond that at which it lets go; -1 without one that may [m], [rad].
   double past_release(const JointState& state) const;
   /// Opens a latch that is loaded with what it holds, and closes one that catches its part again;
   /// returns the energy lost [J].
@@ -89,22 +89,20 @@ class JointLaw {
   /// [J]
   double stored_energy(const Rows& rows, const JointState& state) const;
 
-  /// Of the stops, from the lower: how far q is beyond it, and the speed towards it.
+  /// Overlap of q with a stop and its speed towards it; of the lower stop, then the upper one.
   struct Approach {
     double compression, speed;
   };
   std::array<Approach, 2> approaches(const JointState& state, double rate) const;
-  /// How far the part's centre of mass moves with q: 1, or its distance from a hinge [m/rad].
+  /// Travel of the part's centre of mass by q: 1, or its distance from a hinge [m/rad].
   double arm() const { return slides() ? 1 : on_part_.cross(joint_.axis).norm(); }
+  /// Whether it has a latch that lets go.
+  bool releases() const { return joint_.latch > 0 && !locked(); }
   bool has_stops() const { return std::isfinite(joint_.lower) || std::isfinite(joint_.upper); }
   double stop_stiffness() const { return stop_.impact_stiffness(); }
 
  private:
-  struct Along {
-    Force force;
-    DryFriction::Result friction;
-  };
-  Along along(const Stage& stage, double rate) const;
+  Force along(const Stage& stage, double rate) const;
   ImpactLaw::Stage at_stop(const Stage& stage, int side) const;
   bool slides() const { return joint_.kind == Joint::Kind::kSlider; }
   bool locked() const { return std::isinf(joint_.latch); }

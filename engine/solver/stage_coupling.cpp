@@ -63,7 +63,8 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
                                std::vector<Velocity>& v) {
   std::vector<Place>& places = places_;
   Eigen::Index size = 0;
-  // What hangs or stands on others comes later in the scene and is eliminated first: then most of the matrix stays zero.
+  // Items that hang or stand on others come later in the scene and are eliminated first: most of the matrix
+  // then stays zero.
   for (std::size_t i : std::views::reverse(group)) {
     places[i].chassis = size;
     size += 6;

@@ -183,9 +183,12 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     if (!tethers.empty())
       accounts_[i].damper_loss += tethers.break_overstressed(second_.end.items[i]);
   }
-  for (std::size_t j : island.joints)
-    accounts_[assembly_.joints[j].joint().part].damper_loss +=
-        assembly_.joints[j].work_latch(assembly_.joint_rate(j, second_.end), second_.end.joints[j]);
+  for (std::size_t j : island.joints) {
+    const JointLaw& law = assembly_.joints[j];
+    if (law.releases())
+      accounts_[law.joint().part].damper_loss +=
+          law.work_latch(assembly_.joint_rate(j, second_.end), second_.end.joints[j]);
+  }
   quality_.largest_residual =
       std::max({quality_.largest_residual, first_.residual, second_.residual});
   ++quality_.steps;

@@ -70,7 +70,8 @@ class Stepper {
   /// One step and what events make of it; none where the step is rejected.
   std::optional<std::string> advance_smoothly(const Island& island, SceneState& state, double time,
                                               int depth, const Observer& observer);
-  /// How far the first event that changes the equations lies behind the state (> 0: inside the step) [m].
+  /// Distance of the state beyond the first event that changes the equations; > 0: that lies inside the
+  /// step [m].
   double past_event(const Island& island, const SceneState& state) const;
   std::optional<double> locate_event(const Island& island, const SceneState& from, double duration);
   double approach_speed(const BodyContact& contact, const SceneState& state) const;

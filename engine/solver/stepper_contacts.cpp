@@ -50,6 +50,7 @@ void Stepper::observe_approach(const Island& island, SceneState& state) {
   }
   for (std::size_t j : island.joints) {
     const JointLaw& law = assembly_.joints[j];
+    if (!law.has_stops()) continue;
     const auto stops = law.approaches(state.joints[j], assembly_.joint_rate(j, state));
     for (std::size_t side = 0; side < stops.size(); ++side)
       if (stops[side].compression <= 0)

@@ -17,7 +17,7 @@ struct PartDescription {
   std::size_t base = 0;  ///< what carries it: 0 the chassis, i + 1 part i, before this one
   Joint joint;           ///< its items aside
   bool locked = false;   ///< held at q = 0
-  /// Of a flexible joint with what hangs on it, in place of its stiffness and damping; 0: those [Hz].
+  /// Frequency of a flexible joint with all parts on it, in place of its stiffness; 0: none [Hz].
   double frequency = 0;
   double damping_ratio = 0;
   double mass = 0;                           ///< [kg]

@@ -115,7 +115,7 @@ void add_payloads(const PayloadKind& kind, const ItemOptions& options, const Vec
   if (count > 0) add_assumptions(loaded.assumptions, kind.assumptions);
 }
 
-/// Of a material against what has none of its own, and against the floor where it has a covering.
+/// Pairs of a material with all that has none of its own, and with the covering of the floor.
 std::vector<MaterialPair> pairs_of(const std::string& material, const ContactConstants& constants,
                                    const ItemOptions& options) {
   std::vector<MaterialPair> pairs = {{material, "", constants}};

@@ -47,7 +47,7 @@ Prediction bssa14_pgv(const Scenario& scenario);
 /// @throws Error for a period out of range.
 double epsilon_correlation(double a, double b);
 
-/// That of PGV and Sa(T): Bradley (2012), Empirical correlations between peak ground velocity and
+/// Correlation of PGV and Sa(T): Bradley (2012), Empirical correlations between peak ground velocity and
 /// spectrum-based intensity measures, Earthquake Spectra 28(1), 17-35, the equation for Sa:
 ///
 ///     rho = (a + b) / 2 - (a - b) / 2 tanh(d ln(T / c)),   a, b, c, d by ranges of T

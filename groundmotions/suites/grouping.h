@@ -55,7 +55,7 @@ std::vector<SuiteRecord> records_of_components(std::vector<FoundComponent> compo
 /// "C05*". Empty if the component's name is not in it.
 std::string name_without_component(const std::string& file_name, const std::string& component);
 
-/// The same for the first spelling of the component that is in the name: as the file calls it, its
+/// Pattern by the first spelling of the component that is in the name: as the file calls it, its
 /// azimuth in three digits (360 for 0 too), or the words for a vertical.
 std::string name_pattern(const std::string& file_name, const Component& component);
 

@@ -76,7 +76,7 @@ struct FragilityResult : FittedCurve {
 /// @throws Error for a measure that the file lacks
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);
 
-/// Of outcomes that somebody else has judged, by run; runs without one are left out.
+/// Fit of outcomes that somebody else has judged, by run; runs without one are left out.
 /// @param request  its state is not asked for
 /// @throws Error for a measure or a run that the file lacks
 FragilityResult fragility_of_outcomes(const StudyData& data,

@@ -96,7 +96,7 @@ class StudyData {
   std::vector<statistics::Observation> observations(std::size_t state, std::size_t configuration,
                                                     const RunMeasure& measure) const;
 
-  /// The same of runs whose outcomes are stated, in a map by their number.
+  /// Observations of runs whose outcomes are stated, in a map by their number.
   /// @throws Error for a run that the file lacks
   std::vector<statistics::Observation> observations(const std::map<std::size_t, bool>& exceeded,
                                                     std::size_t configuration,

@@ -70,7 +70,7 @@ bool pause(Clock::duration time) {
   return interruption() == 0;
 }
 
-/// Of the results, once they are there; of what is finished of the study, while it runs.
+/// Writes the page of the results, once they are there; while the study runs, that of finished cases.
 /// @return exit code
 int watch(const ReportOptions& options) {
   constexpr std::chrono::seconds kLeast{1};

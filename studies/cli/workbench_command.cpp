@@ -133,7 +133,7 @@ Json files_of(const Content& content) {
     const study::Job job = read_content(content);
     files = read.files();
     if (job.record) {
-      study::motion_of(*job.record);  // refuses what is no record
+      study::motion_of(*job.record);  // throws where a file is not a record
       for (const groundmotions::RecordFile& each : job.record->files)
         files[fs::absolute(each.path).lexically_normal().string()] =
             read_input_file(each.path.string());

@@ -76,7 +76,7 @@ Curve steps_of(const std::string& label, std::vector<double> demands, std::size_
   return curve;
 }
 
-/// The same axis for all panels of a demand, so that configurations and items can be compared.
+/// One axis for all panels of a demand, so that configurations and items can be compared.
 double right_of(const study::DemandRuns& runs, const std::vector<study::DemandRuns>& all) {
   double largest = 0;
   for (const study::DemandRuns& each : all)

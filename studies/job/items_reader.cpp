@@ -662,10 +662,14 @@ void place_unfolded(JobReading& job) {
       for (const equipment::LoadedContent& content : of_draw.unfolded[i].contents) {
         PlacedItem& placed = scene.items[next++];
         placed.initial = owner.initial;
-        const Vector2 from = Eigen::Rotation2Dd(owner.initial.yaw) * content.position.head<2>();
+        const Eigen::Rotation2Dd turn(owner.initial.yaw);
+        const Vector2 from = turn * content.position.head<2>();
         placed.initial.position.head<2>() += from;
         placed.initial.yaw += content.yaw;
-        placed.initial.velocity += Vector3(-from.y(), from.x(), 0) * owner.initial.yaw_rate;
+        // InitialMotion states the velocity of the chassis' centre of mass.
+        const Vector2 arm =
+            from - turn * chassis_with_payloads(owner.model).center_of_mass.head<2>();
+        placed.initial.velocity += Vector3(-arm.y(), arm.x(), 0) * owner.initial.yaw_rate;
         if (owner.on) placed.on->height = content.position.z() + owner.on->height;
       }
     }

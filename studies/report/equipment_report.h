@@ -22,7 +22,7 @@ struct EquipmentFacts {
   std::vector<std::string> warnings;
 };
 
-/// Of an item as it is described, with what is implausible of it among the warnings.
+/// Facts of an item as it is described, with implausible numbers among the warnings.
 EquipmentFacts equipment_facts(const equipment::ItemDescription& item,
                                const equipment::LoadedItem& loaded);
 

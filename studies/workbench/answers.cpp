@@ -48,7 +48,7 @@ Json rectangle(const Vector3& center, const Vector3& size) {
           pair(center.x() + x, center.y() + y), pair(center.x() - x, center.y() + y)};
 }
 
-/// The same of an item that starts as `of`, in the axes of one that starts as `from`.
+/// Rectangle of an item that starts as `of`, in the axes of one that starts as `from`.
 Json rectangle(const Vector3& center, const Vector3& size, const InitialMotion& of,
                const InitialMotion& from) {
   const Eigen::Rotation2Dd turn(of.yaw - from.yaw), back(-from.yaw);

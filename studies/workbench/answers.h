@@ -40,7 +40,7 @@ Json source_answer(const std::string& equipment);
 
 /// What the file of an item describes: where its boxes, casters and centres of mass are, what holds it up,
 /// and what `gurney equipment show` says of it.
-/// Of a file with errors: these, and what stands where in it.
+/// Answer on a file with errors: these, and the places of its values.
 /// @param name  of the file, as a job names it
 Json item_answer(const std::string& name, const std::string& text);
 
