@@ -9,7 +9,9 @@ file(GLOB modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/*
   ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/py.typed)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/python/gurney)
 file(GLOB links ${PROJECT_BINARY_DIR}/python/gurney/*.py)  # some may be of files that are gone
-file(REMOVE ${links})
+if(links)
+  file(REMOVE ${links})
+endif()
 file(WRITE ${PROJECT_BINARY_DIR}/python/gurney/source_folder "${PROJECT_SOURCE_DIR}\n")
 foreach(module IN LISTS modules)
   get_filename_component(name ${module} NAME)

@@ -4,7 +4,7 @@ The files are those of gurney 0.1.0 of commit bde08e5 (2026-11-22): a run, and a
 the job. That program called the column analysis_case `unit`, and the keys ida and step_check `hunt`
 and `certificate`.
 
-usage: old_results.py GURNEY SOURCE_FOLDER
+usage: old_results.py GURNEY SOURCE_FOLDER BUILT_PACKAGE
 """
 
 import gzip
@@ -19,6 +19,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../python"))
 import support  # noqa: E402
 
+support.need_module()
 support.use_package()
 
 import gurney  # noqa: E402
@@ -136,7 +137,7 @@ class OldResults(unittest.TestCase):
         self.assertEqual(str(results.fragility("moved", configuration="true")).replace(path, ""),
                          str(gurney.Results(self.today).fragility(
                              "moved", configuration="true")).replace(self.today, ""))
-        with self.assertRaisesRegex(gurney.NotInFile, "peak_yaw"):
+        with self.assertRaisesRegex(gurney.InputError, "holds no peak_yaw"):
             results.exceeded("peak_yaw > 1 rad")
 
     def test_of_version_1_are_read(self):
