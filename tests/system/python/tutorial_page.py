@@ -8,7 +8,6 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 
 import support
@@ -26,8 +25,8 @@ assert [text for kind, text in blocks if kind == "toml"] == shipped
 with tempfile.TemporaryDirectory() as folder:
     for name in ("studies", "equipment", "groundmotions"):
         shutil.copytree(os.path.join(support.SOURCE, name), os.path.join(folder, name))
-    os.makedirs(os.path.join(folder, "build/release"))
-    os.symlink(support.BUILT, os.path.join(folder, "build/release/python"))
+    os.makedirs(os.path.join(folder, "build"))
+    os.symlink(os.path.dirname(support.BUILT), os.path.join(folder, "build/release"))
     os.chdir(folder)
     environment = {**os.environ,
                    "PATH": f"{os.path.dirname(support.GURNEY)}:{os.environ['PATH']}"}
