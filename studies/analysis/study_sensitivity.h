@@ -23,6 +23,12 @@ struct SensitiveInput {
       {};                    ///< with all interactions; of a Saltelli design only
   double low = 0, high = 0;  ///< of a drawn number: its quantiles at the tornado's share and above
   statistics::TornadoBar bar = {};  ///< of a drawn number: means of the output there
+
+  /// Whether the interval of its index does not reach 0.
+  bool stands_out() const {
+    const auto& shown = total ? total : index;
+    return shown && shown->interval.low > 0;
+  }
 };
 
 /// The input of studies with replicas that stands for changes that nobody can measure. Its index is

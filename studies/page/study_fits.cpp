@@ -91,13 +91,18 @@ Section study_sensitivity(const StudyPage& page) {
       content += paragraph("No sensitivity: " + each.why_not);
       continue;
     }
-    content +=
-        paragraph(report::sensitivity_title(each)) +
+    const std::vector<std::string> remarks = report::sensitivity_remarks(found);
+    const Html figure =
         html(Drawing{fmt::format("sensitivity-{}", i + 1), figures::sensitivity_figure(each),
                      "Sensitivity: indices with 95 % intervals, and tornado.",
                      "First-order indices of the inputs, and means of the demand where an input is "
-                     "low or high; the table has the numbers."}) +
-        html(report::sensitive_inputs(each)) + list(report::sensitivity_remarks(found));
+                     "low or high; the table has the numbers."});
+    const bool stands_out = std::ranges::any_of(found.inputs, &study::SensitiveInput::stands_out);
+    content += paragraph(report::sensitivity_title(each)) + paragraph(remarks.front()) +
+               (stands_out ? figure : Html{}) +
+               folded("Numbers and remarks", (stands_out ? Html{} : figure) +
+                                                 html(report::sensitive_inputs(each)) +
+                                                 list({remarks.begin() + 1, remarks.end()}));
   }
   return {"sensitivity", "Sensitivity", content};
 }

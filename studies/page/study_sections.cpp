@@ -74,7 +74,9 @@ Section study_failures(const StudyPage& page) {
 Section study_time_step(const StudyPage& page) {
   if (page.overview.step_check)
     return {"time-step", "Time-step check",
-            html(report::step_check_findings(*page.overview.step_check))};
+            folded(fmt::format("{} with half the step: changes of their demands",
+                               counted(page.overview.step_check->runs, "run")),
+                   html(report::step_check_findings(*page.overview.step_check)))};
   return {"time-step", "Time-step check",
           paragraph("The study asked for none (study.step_check): how far the time step changes "
                     "these results is not known from this file.")};

@@ -26,10 +26,7 @@ std::string name_of(const study::SensitiveInput& input) {
 findings::Texts sensitivity_remarks(const study::StudySensitivity& found) {
   findings::Texts lines;
   const auto say = [&](std::string line) { lines.push_back(std::move(line)); };
-  const auto lead = std::ranges::find_if(found.inputs, [](const study::SensitiveInput& input) {
-    const auto& index = input.total ? input.total : input.index;
-    return index && index->interval.low > 0;
-  });
+  const auto lead = std::ranges::find_if(found.inputs, &study::SensitiveInput::stands_out);
   if (lead == found.inputs.end())
     say("No input stands out: every interval reaches 0.");
   else

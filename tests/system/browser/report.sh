@@ -115,6 +115,15 @@ with_script study.html script.js copy.html
 [ "$(dom copy.html --window-size=1400,900 | found)" = 1 ] || complain "panels are not side by side"
 [ "$(dom copy.html --window-size=500,900 | found)" = 2 ] || complain "panels are not stacked"
 
+# README's study, with fewer records, is at most 6 printed pages.
+mkdir -p studies/jobs && cp -r "$2/groundmotions" . &&
+  sed 's/^synthetic_records = 30/synthetic_records = 8/' "$2/studies/jobs/icu_ventilator_fragility.toml" > studies/jobs/bay.toml
+expect 0 "bay.h5" "$gurney" run studies/jobs/bay.toml -o bay.h5
+expect 0 "bay.html" "$gurney" report bay.h5 -o bay.html
+in_browser --no-pdf-header-footer --print-to-pdf="$PWD/bay.pdf" bay.html > stdout
+pages=$(grep -ac '/Type /Page$' bay.pdf)
+[ "${pages:-0}" -ge 3 ] && [ "$pages" -le 6 ] || complain "the page of README's study has $pages printed pages"
+
 # 100,000 runs open in less than 3 s, measured by the browser; a busy machine has three tries.
 "$write_large_study" large.h5
 expect 0 "large.html" "$gurney" report large.h5 -o large.html
