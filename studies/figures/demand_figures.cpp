@@ -200,6 +200,8 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
   Curve median{
       of.name.empty() ? "median" : of.name + ", median", {}, {}, {.stroke = color, .width = 1.8}};
   median.key = marker(index);
+  median.shift = stood.shift = fell.shift = offset;
+  fell.only_x = true;
   Area band{.x = {}, .low = {}, .high = {}, .color = color};
   for (auto& [im, values] : stripes) {
     std::ranges::sort(values);

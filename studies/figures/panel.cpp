@@ -38,7 +38,7 @@ std::string shortened(const std::string& text) {
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : shortened(printable(text))) {
+  for (const char c : text) {
     if (c == '&') {
       result += "&amp;";
     } else if (c == '<') {
@@ -335,7 +335,9 @@ void draw_area(Svg& svg, const Area& area, const Scaling& scaling) {
 
 void draw_curves(Svg& svg, const Panel& panel, const Scaling& scaling) {
   for (const Curve& curve : panel.curves) {
-    if (!curve.label.empty()) svg.begin_group({{"data-name", curve.label}});
+    if (!curve.label.empty())
+      svg.begin_group(
+          {{"data-name", curve.label}, {"data-shift", fmt::format("{:g}", curve.shift)}});
     for (const Svg::Points& piece : pieces(curve, scaling)) svg.polyline(piece, curve.pen);
     if (!curve.label.empty()) svg.end_group();
   }
@@ -351,7 +353,9 @@ void draw_marks(Svg& svg, const Panel& panel, const Scaling& scaling) {
       if (is_drawn(i)) runs += fmt::format("{}{}", runs.empty() ? "" : " ", marks.runs[i]);
     svg.begin_group({{"class", "marks"},
                      {"data-name", marks.label.empty() ? marks.name : marks.label},
-                     {"data-runs", runs}});
+                     {"data-runs", runs},
+                     {"data-shift", fmt::format("{:g}", marks.shift)},
+                     {"data-only-x", fmt::format("{:d}", marks.only_x)}});
     for (std::size_t i = 0; i < marks.x.size(); ++i)
       if (is_drawn(i)) draw_marker(svg, scaling.x(marks.x[i]), scaling.y(marks.y[i]), marks);
     svg.end_group();
@@ -411,7 +415,7 @@ void Svg::text(double x, double y, const std::string& text, const TextStyle& sty
       x, y, style.size, anchors[static_cast<int>(style.anchor)], style.color,
       style.bold ? " font-weight=\"bold\"" : "",
       style.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y) : "",
-      escaped(text));
+      escaped(shortened(printable(text))));
 }
 
 void Svg::begin_clip(double x, double y, double width, double height) {
@@ -425,14 +429,14 @@ void Svg::begin_clip(double x, double y, double width, double height) {
 void Svg::begin_group(const std::vector<std::pair<std::string, std::string>>& attributes) {
   body_ += "<g";
   for (const auto& [name, value] : attributes)
-    body_ += fmt::format(" {}=\"{}\"", name, escaped(value));
+    body_ += fmt::format(" {}=\"{}\"", name, escaped(printable(value)));
   body_ += ">\n";
 }
 
 void Svg::end_group() { body_ += "</g>\n"; }
 
 void Svg::describe(const std::string& text) {
-  body_ = "<desc>" + escaped(text) + "</desc>\n" + body_;
+  body_ = "<desc>" + escaped(printable(text)) + "</desc>\n" + body_;
 }
 
 std::string Svg::str() const {

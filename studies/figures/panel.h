@@ -92,6 +92,7 @@ struct Curve {
   std::vector<double> x, y;
   Pen pen;
   std::optional<Marker> key = {};  ///< of the marks that belong to it, for the legend
+  double shift = 0;                ///< in x, which is no value: it keeps curves apart
 };
 
 /// Single points.
@@ -103,6 +104,8 @@ struct Marks {
   double radius = 3;                   ///< [px]
   std::string name = {};               ///< of what they are, on a page; empty: the label
   std::vector<std::size_t> runs = {};  ///< of which each is; empty: of none
+  double shift = 0;                    ///< as of a curve
+  bool only_x = false;                 ///< y is a place, no value
 };
 
 /// A line in a colour of palette().

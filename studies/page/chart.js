@@ -25,10 +25,10 @@
     ...[...axes.group.querySelectorAll("g.marks")].map((group) => {
       const runs = group.dataset.runs ? numbers(group.dataset.runs) : [];
       const points = [...group.children].map((mark, i) => ({ at: middle(mark), run: runs[i], mark }));
-      return { name: group.dataset.name, marks: true, points };
+      return { name: group.dataset.name, marks: true, points, shift: Number(group.dataset.shift), onlyX: group.dataset.onlyX === "1" };
     }),
     ...[...axes.group.querySelectorAll("g.view polyline")].map((line) => ({
-      name: line.parentNode.dataset.name ?? "", marks: false,
+      name: line.parentNode.dataset.name ?? "", marks: false, shift: Number(line.parentNode.dataset.shift ?? 0),
       points: line.getAttribute("points").trim().split(" ").map((pair) => ({ at: pair.split(",").map(Number) }))
     }))].filter((series) => series.points.length > 0);
 
@@ -45,9 +45,9 @@
   };
   const inside = (axes, [x, y], air = 0) => x >= axes.left - air && x <= axes.left + axes.width + air &&
     y >= axes.top - air && y <= axes.top + axes.height + air;
-  const valueAt = (axes, [x, y]) => {
+  const valueAt = (axes, [x, y], shift) => {
     const { x: along, y: up } = axes.home;
-    const at = [along.low + (x - axes.left) / axes.width * (along.high - along.low),
+    const at = [along.low + (x - axes.left) / axes.width * (along.high - along.low) - shift,
       up.high - (y - axes.top) / axes.height * (up.high - up.low)];
     const spans = [along.high - along.low, up.high - up.low];  // pictures are drawn to a part of them
     return at.map((value, i) => Number((axes.logs[i] ? 10 ** value : Math.abs(value) < 1e-4 * spans[i] ? 0 : value).toPrecision(4)));
@@ -158,12 +158,12 @@
     button.textContent = "Copied";
   };
   const show = (svg, found, pinned) => {
-    const { axes, series, point, at } = found, [x, y] = valueAt(axes, at), to = moved(axes, at);
+    const { axes, series, point, at } = found, [x, y] = valueAt(axes, at, series.shift), to = moved(axes, at);
     const line = (text) => { const each = document.createElement("div"); each.textContent = text; return each; };
     // Of axes below each other the last has the name of their x.
     const along = axes.names[0] || axesOf(svg).findLast((each) => each.names[0] && each.group.dataset.x === axes.group.dataset.x)?.names[0];
     const of = (name, value, other) => `${name || other}: ${value}`;
-    tip.replaceChildren(...[series.name, of(along, x, "x"), of(axes.names[1], y, "value")].filter(Boolean).map(line));
+    tip.replaceChildren(...[series.name, of(along, x, "x"), series.onlyX ? "" : of(axes.names[1], y, "value")].filter(Boolean).map(line));
     tip.pinned = pinned;
     if (point.run !== undefined) {
       const command = replay(), text = command ? `${command} ${point.run}` : "can be repeated once the study is complete";
