@@ -68,7 +68,9 @@ void check_choice(const ExportOptions& options) {
 
 void write_item(const ExportOptions& options, const study::TakeFile& take) {
   const study::ItemBodies item =
-      study::item_bodies(equipment::load_item(item_file(options.file), {}, options.variants).model);
+      study::item_bodies(equipment::load_item(data_file(equipment::DataKind::kItem, options.file),
+                                              {}, options.variants)
+                             .model);
   const std::string name = study::plain_identifier(fs::path(options.file).stem().string(), "item");
   if (options.format == "mjcf")
     take(name + ".xml", mjcf_text(item));

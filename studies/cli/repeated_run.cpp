@@ -21,6 +21,7 @@
 #include "studies/report/run_report.h"
 #include "studies/results/columns.h"
 #include "studies/results/hdf5_reader.h"
+#include "studies/run/part_folder.h"
 #include "studies/run/run_task.h"
 #include "studies/run/study_identity.h"
 
@@ -160,6 +161,13 @@ std::string job_of_log(const std::string& results) {
   const std::string job = value_of(text, "job");
   const fs::path from_its_folder = fs::path(value_of(text, "folder")) / job;
   return is_there(job) || !is_there(from_its_folder) ? job : from_its_folder.string();
+}
+
+std::string job_of_shards(const fs::path& folder) {
+  if (!is_there(folder / "job")) return {};
+  std::string path = study::file_bytes(folder / "job");
+  while (path.ends_with('\n')) path.pop_back();
+  return path;
 }
 
 std::string why_not_there(const std::string& path) {

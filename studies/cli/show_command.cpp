@@ -35,11 +35,9 @@ std::string results_of(const fs::path& folder) {
 /// The path of the job in a folder of shards, or in the log beside the parts, which is written when a
 /// process ends.
 std::string job_of_folder(const fs::path& folder) {
-  if (!is_there(folder / "job"))
-    return study::place_of_job(job_of_log(results_of(folder)), results_of(folder));
-  std::string path = study::file_bytes(folder / "job");
-  while (path.ends_with('\n')) path.pop_back();
-  return path;
+  const std::string job = job_of_shards(folder);
+  return job.empty() ? study::place_of_job(job_of_log(results_of(folder)), results_of(folder))
+                     : job;
 }
 
 /// Shows finished cases by a temporary results file. Its runs will have other
