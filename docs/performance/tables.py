@@ -67,6 +67,8 @@ def ratios():
 
 def rocking():
     for row in rows_of("peers_rocking.csv"):
+        if row["time_step_ms"] == "1":
+            continue
         finest = row["time_step_ms"] == "0.5"
         until_gurney = float(row["own_finest_agrees_with_gurney_until_s"])
         is_reference = row["engine"] == "Gurney" and row["setup"].startswith("rigid")

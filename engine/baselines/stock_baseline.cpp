@@ -56,13 +56,17 @@ Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
               loads_of<Blocks>(item.loads).empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
           "\"implicit\" for this job");
+  require(scene.joints.empty(),
+          "the stock Bullet baselines know no items with parts; use solver = \"implicit\" for this "
+          "job");
   require(!floor.rotates(),
           "the stock Bullet baselines know no rotation of the floor; use solver = \"implicit\" for "
           "this "
           "job");
   const Assembly assembly(scene);
   const Mechanism& mechanism = assembly.items[0];
-  SceneState scene_state{{mechanism.placed(item.initial)}, {}};
+  SceneState scene_state;
+  scene_state.items = {mechanism.placed(item.initial)};
   State& state = scene_state.items[0];
   mechanism.set_in_motion(item.initial, state);
   Recorder recorder(scene, assembly, 0, scene_state);

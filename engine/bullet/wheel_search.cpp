@@ -105,7 +105,14 @@ class WheelSearch::World {
     bool is_wheel() const { return body && body->caster >= 0; }
   };
 
+  /// Bodies of one mechanism do not meet.
   Part& add(std::unique_ptr<Part> part, int group, int mask) {
+    for (const auto& other : parts_) {
+      if (!part->body || !other->body) continue;
+      if (!assembly_.joined(part->body->item, other->body->item)) continue;
+      part->object.setIgnoreCollisionCheck(&other->object, true);
+      other->object.setIgnoreCollisionCheck(&part->object, true);
+    }
     part->object.setCollisionShape(part->shape.get());
     part->object.setUserPointer(part.get());
     world_.addCollisionObject(&part->object, group, mask);
@@ -126,7 +133,6 @@ class WheelSearch::World {
       chassis->boxes.push_back(std::move(shape));
     }
     chassis->shape = std::move(boxes);
-    const std::size_t first = parts_.size();
     add(std::move(chassis), kChassis, kWheels);
     for (std::size_t i = 0; i < model.casters.size(); ++i) {
       const Caster& c = model.casters[i];
@@ -134,11 +140,7 @@ class WheelSearch::World {
       wheel->body = BodyContact::Side{item, static_cast<int>(i)};
       wheel->shape = std::make_unique<btCylinderShape>(
           btVector3(c.wheel_radius, 0.5 * c.wheel_width, c.wheel_radius));
-      Part& added = add(std::move(wheel), kWheels, kChassis | kWheels | kRoom);
-      for (std::size_t k = first; k + 1 < parts_.size(); ++k) {
-        parts_[k]->object.setIgnoreCollisionCheck(&added.object, true);
-        added.object.setIgnoreCollisionCheck(&parts_[k]->object, true);
-      }
+      add(std::move(wheel), kWheels, kChassis | kWheels | kRoom);
     }
   }
 

@@ -14,7 +14,9 @@ class EnergyBalance {
   /// (docs/theory/solver.md).
   static constexpr double kTrusted = 0.05;
 
-  explicit EnergyBalance(double stored_at_start = 0) : stored_at_start_(stored_at_start) {}
+  /// @param least  smaller energies in play count as this [J]
+  explicit EnergyBalance(double stored_at_start = 0, double least = 0)
+      : stored_at_start_(stored_at_start), largest_energy_(least) {}
 
   void observe(const EnergyAccount& now);
 
@@ -32,7 +34,7 @@ class EnergyBalance {
 
   double stored_at_start_;
   EnergyAccount before_;
-  double largest_energy_ = 0, largest_closure_ = 0;
+  double largest_energy_, largest_closure_ = 0;
   double given_back_ = 0;  // by losses, which only grow
 };
 

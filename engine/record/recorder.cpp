@@ -15,6 +15,20 @@ double tilt_of(const Matrix3& rotation) { return std::acos(std::clamp(rotation(2
 
 double horizontal(const Vector3& v) { return v.head<2>().norm(); }
 
+/// A body of an item with parts may be at rest while the others are not: its energies are then those
+/// of rounding. What would raise the whole item by a micrometre is nothing [J].
+double least_energy(const Assembly& assembly, std::size_t item) {
+  constexpr double kRise = 1e-6;  // [m]
+  double mass = 0;
+  std::size_t bodies = 0;
+  for (std::size_t i = 0; i < assembly.items.size(); ++i) {
+    if (!assembly.joined(i, item)) continue;
+    mass += assembly.items[i].total_mass;
+    ++bodies;
+  }
+  return bodies > 1 ? mass * assembly.gravity.norm() * kRise : 0;
+}
+
 WheelMode mode_of(const CasterDynamics& caster, const TreadLaw::Result& tread, bool axle_slips) {
   if (tread.force[2] <= 0) return WheelMode::kLifted;
   if (tread.end.sliding) return WheelMode::kSkids;
@@ -30,13 +44,14 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
       item_(item),
       mechanism_(assembly.items[item]),
       energies_(mechanism_),
-      origin_(-mechanism_.chassis.center_of_mass) {
+      origin_(assembly.is_part(item) ? Vector3::Zero().eval()
+                                     : Vector3(-mechanism_.chassis.center_of_mass)) {
   const Mechanism& mechanism = mechanism_;
   const State& start = at_start.items[item];
   const EquipmentModel& model = scene.items[item].model;
   const Matrix3 rotation = start.rotation.toRotationMatrix();
   for (const auto& point : model.marked_points) {
-    points_.push_back(point.position + origin_);
+    points_.push_back(point.position - mechanism_.chassis.center_of_mass);
     point_starts_.push_back(start.position + rotation * points_.back());
   }
   origin_start_ = start.position + rotation * origin_;
@@ -48,7 +63,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   current_.points.resize(points_.size());
   gravitational_start_ = energies_.at(start).gravitational;
   stored_start_ = complete(at_start, {}).stored();
-  sampled_ = checked_ = EnergyBalance(stored_start_);
+  sampled_ = checked_ = EnergyBalance(stored_start_, least_energy(assembly, item));
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
   current_.tilt = demands_.peak_tilt = tilt_of(rotation);
@@ -218,7 +233,8 @@ EnergyAccount Recorder::complete(const SceneState& scene, const EnergyAccount& a
   const MechanicalEnergy of_item = energies_.at(state);
   energy.kinetic = of_item.kinetic;
   energy.gravitational = of_item.gravitational - gravitational_start_;
-  energy.elastic = of_item.elastic + assembly_.contact_energy(item_, scene);
+  energy.elastic = of_item.elastic + assembly_.contact_energy(item_, scene) +
+                   assembly_.joint_energy(item_, scene);
   energy.weight_energy = mechanism_.loads.weight_energy(state.loads);
   return energy;
 }

@@ -36,8 +36,10 @@ class Recorder {
   double energy_error() const { return checked_.error(); }
   std::string energy_error_source() const { return checked_.source(); }
 
-  /// At the last step.
-  RunClock::ItemMotion motion() const { return {speed_, body_speed_, current_.tilt}; }
+  /// At the last step. A part turns on its joint without overturning.
+  RunClock::ItemMotion motion() const {
+    return {speed_, body_speed_, assembly_.is_part(item_) ? 0 : current_.tilt};
+  }
 
   /// Moves the item to `response`, whose impacts are there, and its energy errors to the quality.
   void finish(const SceneState& state, const EnergyAccount& account, double overturned_at,
@@ -64,7 +66,8 @@ class Recorder {
     double since = 0;  // when it was lifted [s]
   };
   std::vector<Gap> gaps_;
-  Vector3 origin_;  // the item's origin relative to the chassis' centre, chassis axes
+  // The item's origin relative to the chassis' centre, chassis axes; of a part its centre.
+  Vector3 origin_;
   Vector3 origin_start_;
   double yaw_start_, yaw_;
   double gravitational_start_, stored_start_;

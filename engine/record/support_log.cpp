@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace gurney {
+namespace {
+
+/// What stands on an item that overturns comes down with it: below this part of the surface's height.
+constexpr double kCameDown = 0.5;
+
+}  // namespace
 
 SupportLog::SupportLog(const Scene& scene, const Assembly& assembly, const SceneState& at_start) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
@@ -25,7 +31,9 @@ void SupportLog::observe(double time, const SceneState& state) {
     if (each.fell_at >= 0) continue;
     const Vector3 moved = place_of(each, state) - each.start;
     each.slide = std::max(each.slide, moved.head<2>().norm());
-    if (moved.z() < -each.height) each.fell_at = time;
+    const bool below = moved.z() < -each.height;
+    const bool came_down = state.items[each.item].position.z() < kCameDown * each.support.height;
+    if (below || came_down) each.fell_at = time;
   }
 }
 

@@ -50,8 +50,21 @@ constexpr TableColumn<Demands> kDemands[] = {
      "NaN: it stands on the floor",
      &Demands::peak_slide, kNaN},
     {"time_of_fall", "s",
-     "time at which its centre of mass is below that surface; -1: it did not fall",
+     "time at which its centre of mass is below that surface, or has come down with it below half "
+     "of its height; -1: it did not fall",
      &Demands::time_of_fall, -1},
+    {"peak_travel", "m", "largest travel of a part on its slider; NaN: it is on none",
+     &Demands::peak_travel, kNaN},
+    {"residual_travel", "m", "travel at the end", &Demands::residual_travel, kNaN},
+    {"peak_swing", "rad",
+     "largest angle of a part on its hinge, ball joint or flexible joint; NaN: it is on none",
+     &Demands::peak_swing, kNaN},
+    {"residual_swing", "rad", "that angle at the end", &Demands::residual_swing, kNaN},
+    {"time_of_release", "s", "when the latch of a part first let go; -1: it held, or it has none",
+     &Demands::time_of_release, -1},
+    {"largest_stop_speed", "m/s",
+     "largest speed of a part's centre of mass as it meets a stop of its joint; NaN: it has none",
+     &Demands::largest_stop_speed, kNaN},
 };
 
 constexpr TableColumn<WheelDemands> kWheelDemands[] = {

@@ -63,6 +63,15 @@ struct Demands {
   /// [m], until it falls; NaN: it stands on the floor.
   double peak_slide = std::numeric_limits<double>::quiet_NaN();
   double time_of_fall = -1;  ///< centre of mass below that surface; < 0: it did not fall [s]
+  // Of a part on its joint; NaN: it is none, or its joint does not move so.
+  double peak_travel = std::numeric_limits<double>::quiet_NaN();  ///< largest |q| of a slider [m]
+  double residual_travel = std::numeric_limits<double>::quiet_NaN();  ///< q at the end [m]
+  /// Largest angle of a hinge, a ball joint or a flexible one [rad], and that at the end.
+  double peak_swing = std::numeric_limits<double>::quiet_NaN();
+  double residual_swing = std::numeric_limits<double>::quiet_NaN();
+  double time_of_release = -1;  ///< of its latch, first; < 0: it held, or there is none [s]
+  /// Of its centre of mass as it meets a stop of its joint [m/s]; NaN: there is none.
+  double largest_stop_speed = std::numeric_limits<double>::quiet_NaN();
   std::vector<WheelDemands> wheels;  ///< one for each caster
   std::vector<PointDemands> points;  ///< one for each marked point
 };

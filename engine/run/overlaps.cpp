@@ -48,6 +48,7 @@ std::vector<OccupiedZone> find_occupied_zones(const Scene& scene) {
     Scene alone = scene;
     alone.items = {scene.items[i]};
     alone.items[0].on.reset();
+    alone.joints.clear();
     alone.tethers.clear();
     validate(alone);
     const Assembly assembly(alone);

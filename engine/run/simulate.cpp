@@ -6,6 +6,7 @@
 
 #include "engine/bullet/contact_search.h"
 #include "engine/record/impact_log.h"
+#include "engine/record/joint_log.h"
 #include "engine/record/recorder.h"
 #include "engine/record/run_clock.h"
 #include "engine/record/support_log.h"
@@ -23,9 +24,15 @@ SceneState start_of(const Scene& scene, const Assembly& assembly) {
   SceneState state;
   for (std::size_t i = 0; i < scene.items.size(); ++i)
     state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
+  for (const JointLaw& joint : assembly.joints) state.joints.push_back(joint.initial_state());
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
-    settle(assembly, scene, i, state);
+    if (!assembly.is_part(i)) settle(assembly, scene, i, state);
     assembly.items[i].set_in_motion(scene.items[i].initial, state.items[i]);
+    if (!assembly.is_part(i)) continue;
+    // As the whole item moves: InitialMotion states the velocity of its chassis.
+    Vector6& v = state.items[i].velocity.chassis;
+    const Vector3 turn = v.tail<3>();
+    v.head<3>() += turn.cross(state.items[i].position - state.items[assembly.roots[i]].position);
   }
   return state;
 }
@@ -72,6 +79,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   std::vector<Recorder> recorders;
   for (std::size_t i = 0; i < count; ++i) recorders.emplace_back(scene, assembly, i, state);
   ImpactLog impacts(scene, assembly);
+  JointLog joints(assembly, state);
   TetherLog tethers(assembly, scene.tethers.size());
   ZoneLog zones(scene, assembly);
   SupportLog supports(scene, assembly, state);
@@ -79,6 +87,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   const Stepper::Observer observer = [&](const Stepper::Step& step) {
     impacts.observe(step);
     tethers.observe(step);
+    joints.observe(step);
     for (std::size_t i : step.island->items) recorders[i].observe(step, impacts.impacts_of(i));
   };
   const auto advance = [&](double until) -> std::optional<std::string> {
@@ -151,6 +160,7 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   for (std::size_t i = 0; i < count; ++i)
     recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);
   supports.finish(response.items);
+  joints.finish(response.items);
   return response;
 }
 

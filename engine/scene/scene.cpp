@@ -76,6 +76,38 @@ void check(const Support& on, const Scene& scene, std::size_t item, Problems& pr
                  "0 on an item or a shape of the room");
 }
 
+void check(const Joint& joint, const Scene& scene, Problems& problems) {
+  using Kind = Joint::Kind;
+  const bool one_way = joint.kind == Kind::kHinge || joint.kind == Kind::kSlider;
+  problems.check(joint.base < joint.part && joint.part < scene.items.size(), "joint.part",
+                 static_cast<double>(joint.part), "an item after its base");
+  problems.finite("joint.point", joint.point);
+  problems.check(std::abs(joint.axis.norm() - 1) < 1e-9, "joint.axis", joint.axis.norm(),
+                 "of length 1");
+  problems.not_negative("joint.stiffness", joint.stiffness);
+  problems.not_negative("joint.damping", joint.damping);
+  problems.check(std::isfinite(joint.rest), "joint.rest", joint.rest, "finite");
+  problems.not_negative("joint.friction", joint.friction);
+  problems.check(joint.lower <= 0, "joint.lower", joint.lower, "<= 0");
+  problems.check(joint.upper >= 0, "joint.upper", joint.upper, ">= 0");
+  problems.positive("joint.stop_stiffness", joint.stop_stiffness);
+  problems.check(joint.restitution >= 0.01 && joint.restitution <= 1, "joint.restitution",
+                 joint.restitution, "in 0.01..1");
+  problems.check(joint.latch >= 0, "joint.latch", joint.latch, ">= 0");
+  problems.check(one_way || (joint.friction == 0 && joint.latch == 0 && joint.rest == 0 &&
+                             std::isinf(joint.lower) && std::isinf(joint.upper)),
+                 "joint.kind", static_cast<double>(joint.kind),
+                 "a hinge or a slider where it has friction, a latch, stops or a rest");
+  if (!(joint.base < joint.part && joint.part < scene.items.size())) return;
+  const PlacedItem &base = scene.items[joint.base], &part = scene.items[joint.part];
+  problems.check(base.initial.position == part.initial.position &&
+                     base.initial.yaw == part.initial.yaw && !part.on,
+                 "joint.part", static_cast<double>(joint.part),
+                 "placed as its base is, and stand on nothing");
+  problems.check(joint_of(scene, joint.part) == static_cast<std::size_t>(&joint - &scene.joints[0]),
+                 "joint.part", static_cast<double>(joint.part), "the part of one joint only");
+}
+
 std::string name_of(const std::string& material) {
   return material.empty() ? "(none)" : "'" + material + "'";
 }
@@ -98,6 +130,43 @@ const std::string& material_below(const Scene& scene, std::size_t item) {
   if (!on) return scene.floor_material;
   return on->kind == Support::Kind::kItem ? scene.items[on->index].model.material
                                           : scene.room[on->index].material;
+}
+
+std::optional<std::size_t> joint_of(const Scene& scene, std::size_t item) {
+  for (std::size_t j = 0; j < scene.joints.size(); ++j)
+    if (scene.joints[j].part == item) return j;
+  return {};
+}
+
+namespace {
+
+/// What an item hangs or stands on; none: the floor or a shape of the room.
+std::optional<std::size_t> item_below(const Scene& scene, std::size_t item) {
+  if (const auto joint = joint_of(scene, item)) return scene.joints[*joint].base;
+  const std::optional<Support>& on = scene.items[item].on;
+  if (on && on->kind == Support::Kind::kItem) return on->index;
+  return {};
+}
+
+}  // namespace
+
+std::size_t carrier_of(const Scene& scene, std::size_t item) {
+  while (const auto below = item_below(scene, item)) item = *below;
+  return item;
+}
+
+void move_item(Scene& scene, std::size_t item, const Vector3& position, double yaw) {
+  const InitialMotion from = scene.items[item].initial;
+  const Quaternion turn(Eigen::AngleAxisd(yaw - from.yaw, Vector3::UnitZ()));
+  std::vector<bool> moves(scene.items.size());
+  for (std::size_t i = item; i < scene.items.size(); ++i) {
+    const auto below = item_below(scene, i);
+    moves[i] = i == item || (below && *below >= item && moves[*below]);
+    if (!moves[i]) continue;
+    InitialMotion& initial = scene.items[i].initial;
+    initial.position = position + turn * (initial.position - from.position);
+    initial.yaw += yaw - from.yaw;
+  }
 }
 
 Scene scene_of(EquipmentModel model) {
@@ -125,6 +194,7 @@ void validate(const Scene& scene) {
       std::visit([&](const auto& of_kind) { check(of_kind, problems); }, load);
     check(item.fixture, problems);
   }
+  for (const Joint& joint : scene.joints) check(joint, scene, problems);
   problems.finish();
   validate_room(scene);
 }

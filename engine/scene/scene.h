@@ -6,6 +6,7 @@
 #include "engine/base/floor_motion.h"
 #include "engine/scene/contact_pair.h"
 #include "engine/scene/equipment_model.h"
+#include "engine/scene/joint.h"
 #include "engine/scene/loads.h"
 #include "engine/scene/room.h"
 
@@ -40,6 +41,7 @@ struct Scene {
   std::vector<RoomShape> room;
   std::vector<Zone> zones;
   std::vector<Tether> tethers;
+  std::vector<Joint> joints;
   std::vector<MaterialPair> pairs;  ///< of the items' materials with all they may touch
 };
 
@@ -54,6 +56,16 @@ Scene scene_of(EquipmentModel model);
 /// @throws Error when named materials have no pair.
 ContactConstants contact_constants(const Scene& scene, const std::string& item,
                                    const std::string& other);
+
+/// Index in Scene::joints of the joint of which an item is the part; none for a whole item.
+std::optional<std::size_t> joint_of(const Scene& scene, std::size_t item);
+
+/// What carries an item in the end: over joints and what it stands on, the item on the floor or on a shape of
+/// the room; or itself.
+std::size_t carrier_of(const Scene& scene, std::size_t item);
+
+/// Places an item elsewhere, with its parts and with what stands on them.
+void move_item(Scene& scene, std::size_t item, const Vector3& position, double yaw);
 
 /// @throws Error naming every value outside its range, those of the items and their loads included.
 void validate(const Scene& scene);

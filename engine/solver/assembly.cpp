@@ -4,7 +4,47 @@ namespace gurney {
 
 Assembly::Assembly(const Scene& scene)
     : laws(scene), gravity(gravity_on_slope(scene.gravity, scene.slope, scene.cross_slope)) {
-  for (std::size_t i = 0; i < scene.items.size(); ++i) items.emplace_back(scene, i);
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    items.emplace_back(scene, i);
+    const auto joint = joint_of(scene, i);
+    roots.push_back(joint ? roots[scene.joints[*joint].base] : i);
+  }
+  std::vector<double> carried;
+  for (const Mechanism& item : items) carried.push_back(item.total_mass);
+  for (std::size_t i = items.size(); i-- > 0;)
+    if (const auto joint = joint_of(scene, i)) carried[scene.joints[*joint].base] += carried[i];
+  for (const Joint& joint : scene.joints)
+    joints.emplace_back(joint, items[joint.base], items[joint.part], carried[joint.part]);
+}
+
+JointLaw::Rows Assembly::rows(std::size_t j, const SceneState& state) const {
+  const Joint& joint = joints[j].joint();
+  return joints[j].rows(state.items[joint.base].pose(), state.items[joint.part].pose(),
+                        state.joints[j].coordinate);
+}
+
+double Assembly::joint_rate(std::size_t j, const SceneState& state) const {
+  const JointLaw::Rows of_joint = rows(j, state);
+  const Joint& joint = joints[j].joint();
+  if (!of_joint.along) return 0;
+  return of_joint.rows[*of_joint.along].rate(state.items[joint.part].velocity.chassis,
+                                             state.items[joint.base].velocity.chassis);
+}
+
+double Assembly::mobility(const JointLaw::Rows& of_joint, std::size_t j,
+                          const SceneState& state) const {
+  const Joint& joint = joints[j].joint();
+  const JointLaw::Row& row = of_joint.rows[*of_joint.along];
+  return items[joint.part].mobility(row.part, state.items[joint.part]) +
+         items[joint.base].mobility(row.base, state.items[joint.base]);
+}
+
+double Assembly::joint_energy(std::size_t item, const SceneState& state) const {
+  double energy = 0;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    if (joints[j].joint().part == item)
+      energy += joints[j].stored_energy(rows(j, state), state.joints[j]);
+  return energy;
 }
 
 std::vector<double> Assembly::breakpoints() const {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/solver/contact_laws.h"
+#include "engine/solver/joint_law.h"
 #include "engine/solver/mechanism.h"
 
 namespace gurney {
@@ -12,6 +13,9 @@ struct Assembly {
   explicit Assembly(const Scene& scene);
 
   std::vector<Mechanism> items;  ///< as Scene::items
+  std::vector<JointLaw> joints;  ///< as Scene::joints
+  std::vector<std::size_t>
+      roots;  ///< of each item: what carries it over any number of joints, or itself
   ContactLaws laws;
   Vector3 gravity;  ///< floor axes: the floor may slope
 
@@ -26,6 +30,19 @@ struct Assembly {
   Vector3 velocity(const BodyContact& contact, const SceneState& state) const;
   /// Effective mass of the chassis alone for a normal impulse at the contact: less than all of it [kg].
   double effective_mass(const BodyContact& contact, const SceneState& state) const;
+
+  /// Whether two items are bodies of one mechanism: joints hold them, and they do not touch.
+  bool joined(std::size_t a, std::size_t b) const { return roots[a] == roots[b]; }
+  bool is_part(std::size_t item) const { return roots[item] != item; }
+
+  JointLaw::Rows rows(std::size_t joint, const SceneState& state) const;
+  /// Rate of the coordinate of a joint; 0 where it has none [m/s], [rad/s].
+  double joint_rate(std::size_t joint, const SceneState& state) const;
+  /// 1 / the mass that a force along the coordinate feels of the two bodies alone, which is more than
+  /// that of all that hangs on them [1/kg], [1/(kg m2)].
+  double mobility(const JointLaw::Rows& rows, std::size_t joint, const SceneState& state) const;
+  /// Energy in the joint of which this item is the part [J].
+  double joint_energy(std::size_t item, const SceneState& state) const;
 
   /// Energy in the contacts whose first side is of this item [J].
   double contact_energy(std::size_t item, const SceneState& state) const;

@@ -4,17 +4,17 @@
 namespace gurney {
 namespace {
 
-struct Joint {
+struct CasterJoint {
   Lanes rate, wind, end;  ///< wind: at the start of the stage, end: at its end [rad]
 };
 
 /// Power that dry and viscous friction take (W), and k z'^2 (W/s).
-struct JointOutcome {
+struct CasterJointOutcome {
   Lanes loss, spring_rates;
 };
 
-JointOutcome outcome_of(const DryFrictionOf<Lanes>& friction, const Joint& joint,
-                        const Lanes& tau) {
+CasterJointOutcome outcome_of(const DryFrictionOf<Lanes>& friction, const CasterJoint& joint,
+                              const Lanes& tau) {
   const Lanes wind_rate = (joint.end - joint.wind) / tau;
   const Lanes dry = -friction.stiffness * joint.end;
   return {friction.viscous * joint.rate * joint.rate - dry * (joint.rate - wind_rate),
@@ -43,9 +43,9 @@ void CasterLanes::finish(const State& start, double length, const Velocity& v,
   const Lanes inertial_rates =
       2.0 * dot(splat<Lanes>(acceleration), coupled_momentum(b0, b1)) + (b0 * joint0 + b1 * joint1);
 
-  const JointOutcome swivel =
+  const CasterJointOutcome swivel =
       outcome_of(swivel_, {swivel_rate, swivel_wind_, swivel_friction_.deflection}, tau);
-  const JointOutcome axle =
+  const CasterJointOutcome axle =
       outcome_of(axle_, {axle_rate, axle_wind_, axle_friction_.deflection}, tau);
   const Lanes spring_rates = swivel.spring_rates + axle.spring_rates + tread.spring_rates;
 

@@ -49,7 +49,7 @@ double ChassisPoints::gap_of(const PlacedBox& a, const PlacedBox& b) {
                    face_gap(b.shape, a.shape)});
 }
 
-ChassisPoints::ChassisPoints(const Scene& scene, const Assembly& assembly) {
+ChassisPoints::ChassisPoints(const Scene& scene, const Assembly& assembly) : assembly_(assembly) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const Vector3& center = assembly.items[i].chassis.center_of_mass;
     auto& boxes = boxes_.emplace_back();
@@ -162,6 +162,7 @@ void ChassisPoints::collect(const SceneState& state, const Travels& travels, dou
   for (std::size_t i = 0; i < count; ++i) {
     against_room(i, search);
     for (std::size_t j = i + 1; j < count; ++j) {
+      if (assembly_.joined(i, j)) continue;
       const double distance = (state.items[i].position - state.items[j].position).norm();
       if (distance > reach_[i] + reach_[j] + margin) continue;
       between(i, j, search);

@@ -57,6 +57,7 @@ class ChassisPoints {
   void against_room(std::size_t item, const Search& search);
   void between(std::size_t a, std::size_t b, const Search& search);
 
+  const Assembly& assembly_;
   std::vector<std::vector<ConvexShape>> boxes_;  // chassis axes, of each item
   std::vector<double> reach_;                    // of each chassis
   std::vector<Obstacle> obstacles_;

@@ -1,5 +1,6 @@
 #include "engine/solver/equilibrium.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -14,7 +15,7 @@ namespace gurney {
 
 State placed_above(const Assembly& assembly, const Scene& scene, std::size_t item) {
   State state = assembly.items[item].placed(scene.items[item].initial);
-  if (const auto& on = scene.items[item].on) state.position.z() += on->height;
+  if (const auto& on = scene.items[assembly.roots[item]].on) state.position.z() += on->height;
   return state;
 }
 
@@ -31,24 +32,27 @@ bool relax(const Assembly& standing, double pseudo_step, SceneState& scene) {
   StageSolver solver(standing, {1e-10, 200});
   StageSolver::Output out;
   StageSolver::Input input;
-  const Island alone{{0}, 0, scene.contacts.size()};
-  const Mechanism& mechanism = standing.items.front();
-  State& state = scene.items.front();
+  Island all{{}, 0, scene.contacts.size()};
+  for (std::size_t i = 0; i < standing.items.size(); ++i) all.items.push_back(i);
+  for (std::size_t j = 0; j < standing.joints.size(); ++j) all.joints.push_back(j);
+  const double time = scene.items.front().time;
   input.tau = pseudo_step;
-  input.island = &alone;
-  input.guess.resize(1);
+  input.island = &all;
+  input.loads = {input.tau, time, time + input.tau, true, nullptr};
+  input.guess.resize(standing.items.size());
   for (int i = 0; i < kMaxPseudoSteps; ++i) {
     input.start = &scene;
-    input.loads = {input.tau, state.time, state.time + input.tau, true, nullptr};
     if (!solver.solve(input, out) && !(out.residual < 1e-6)) return false;
-    const Velocity& end = out.end.items.front().velocity;
-    double motion = end.chassis.cwiseAbs().maxCoeff();
-    for (std::size_t k = 0; k < mechanism.casters.size(); ++k)
-      motion = std::max(motion, end.joints[k].cwiseAbs().maxCoeff());
-    const double time = state.time;
     scene = out.end;
-    state.time = time;
-    state.velocity = Velocity();
+    double motion = 0;
+    for (std::size_t k = 0; k < scene.items.size(); ++k) {
+      State& state = scene.items[k];
+      motion = std::max(motion, state.velocity.chassis.cwiseAbs().maxCoeff());
+      for (std::size_t c = 0; c < standing.items[k].casters.size(); ++c)
+        motion = std::max(motion, state.velocity.joints[c].cwiseAbs().maxCoeff());
+      state.time = time;
+      state.velocity = Velocity();
+    }
     if (!(motion < 1e3)) return false;
     if (motion * pseudo_step < kRestMotion) return true;
   }
@@ -71,10 +75,30 @@ void stop_at_zero_rate(Fixture& fixture) {
     if (guide.kind == Guide::Kind::kVelocity) guide = {Guide::Kind::kHeld, 0, 0, 0};
 }
 
-/// The item alone on the bare floor, its guides at rest.
-Scene alone(const Scene& scene, std::size_t item) {
+/// An item and its parts, in their order.
+std::vector<std::size_t> bodies_of(const Assembly& assembly, std::size_t item) {
+  std::vector<std::size_t> bodies;
+  for (std::size_t i = item; i < assembly.items.size(); ++i)
+    if (assembly.roots[i] == item) bodies.push_back(i);
+  return bodies;
+}
+
+/// The item with its parts alone on the bare floor, its guides at rest.
+Scene alone(const Scene& scene, const std::vector<std::size_t>& bodies) {
   Scene one = scene;
-  one.items = {scene.items[item]};
+  one.items.clear();
+  one.joints.clear();
+  for (std::size_t body : bodies) {
+    if (const auto joint = joint_of(scene, body)) {
+      const auto place_of = [&](std::size_t item) {
+        return static_cast<std::size_t>(std::ranges::find(bodies, item) - bodies.begin());
+      };
+      Joint& added = one.joints.emplace_back(scene.joints[*joint]);
+      added.base = place_of(added.base);
+      added.part = place_of(added.part);
+    }
+    one.items.push_back(scene.items[body]);
+  }
   one.items[0].on.reset();
   stop_at_zero_rate(one.items[0].fixture);
   one.room.clear();
@@ -82,20 +106,29 @@ Scene alone(const Scene& scene, std::size_t item) {
   return one;
 }
 
-/// Whether an item stands on another, or on what stands on that.
-bool is_carried_by(const Scene& scene, std::size_t item, std::size_t below) {
-  const std::optional<Support>& on = scene.items[item].on;
-  if (!on || on->kind != Support::Kind::kItem) return false;
-  return on->index == below || is_carried_by(scene, on->index, below);
+/// The body of the mechanism `root` that carries an item which stands on it, over others that do.
+std::optional<std::size_t> carrier_of(const Assembly& assembly, const Scene& scene,
+                                      std::size_t item, std::size_t root) {
+  while (assembly.roots[item] != root) {
+    const std::optional<Support>& on = scene.items[item].on;
+    if (const auto joint = joint_of(scene, item))
+      item = scene.joints[*joint].base;
+    else if (on && on->kind == Support::Kind::kItem)
+      item = on->index;
+    else
+      return {};
+  }
+  return item;
 }
 
-/// Weights of what stands on the item, at the centres of mass.
+/// Weights of what stands on the body, at the centres of mass.
 void add_carried_weights(const Assembly& assembly, const Scene& scene, std::size_t item,
                          std::vector<Load>& loads) {
   const State below = placed_above(assembly, scene, item);
   const Vector3& center = assembly.items[item].chassis.center_of_mass;
   for (std::size_t i = item + 1; i < scene.items.size(); ++i) {
-    if (!is_carried_by(scene, i, item)) continue;
+    if (assembly.joined(i, item)) continue;
+    if (carrier_of(assembly, scene, i, assembly.roots[item]) != item) continue;
     const double weight = -assembly.items[i].total_mass * assembly.items[i].gravity.z();
     const Vector3 there = placed_above(assembly, scene, i).position - below.position;
     PointForce force;
@@ -108,22 +141,24 @@ void add_carried_weights(const Assembly& assembly, const Scene& scene, std::size
   }
 }
 
-/// Raises an item that has settled as on the floor to the surface that it stands on, with what that
-/// has settled by.
+/// Raises an item that has settled as on the floor, with its parts, to the surface that it stands on,
+/// with what that has settled by.
 /// @param settled  its contacts with the floor, which become those with that surface
 void raise(const Assembly& assembly, const Scene& scene, std::size_t item,
            const std::vector<BodyContactState>& settled, SceneState& all) {
   const Support& on = *scene.items[item].on;
-  State& state = all.items[item];
-  state.position.z() += on.height;
   const bool on_item = on.kind == Support::Kind::kItem;
-  if (on_item) {
+  for (std::size_t body : bodies_of(assembly, item)) {
+    State& state = all.items[body];
+    state.position.z() += on.height;
+    if (!on_item) continue;
     const State from = placed_above(assembly, scene, on.index);
     const State& to = all.items[on.index];
     const Quaternion turn = to.rotation * from.rotation.conjugate();
     state.position = to.position + turn * (state.position - from.position);
     state.rotation = turn * state.rotation;
   }
+  const State& state = all.items[item];
   for (BodyContactState memory : settled) {
     BodyContact& contact = memory.contact;
     contact.side.item = item;
@@ -144,12 +179,15 @@ void raise(const Assembly& assembly, const Scene& scene, std::size_t item,
 void settle(const Assembly& assembly, const Scene& scene, std::size_t index, SceneState& all) {
   const Mechanism& mechanism = assembly.items[index];
   State& state = all.items[index];
-  Scene level = alone(scene, index);
+  const std::vector<std::size_t> bodies = bodies_of(assembly, index);
+  Scene level = alone(scene, bodies);
   level.slope = level.cross_slope = 0;
   level.gravity = -mechanism.gravity.z();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    level.items[k].loads.clear();
+    add_carried_weights(assembly, scene, bodies[k], level.items[k].loads);
+  }
   PlacedItem& held = level.items[0];
-  held.loads.clear();
-  add_carried_weights(assembly, scene, index, held.loads);
   for (int dof : {0, 1, 5}) held.fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
   // Nothing pushes sideways: without friction the treads settle without holding each other.
   for (Caster& caster : held.model.casters) {
@@ -160,8 +198,12 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   const std::string below = material_below(scene, index);
   stand_on_springs(level, below, 0);
   const Assembly standing(level);
-  SceneState settled{{state}, {}};
-  settled.items[0].loads = standing.items[0].loads.initial_state();
+  SceneState settled;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    settled.items.push_back(all.items[bodies[k]]);
+    settled.items[k].loads = standing.items[k].loads.initial_state();
+  }
+  for (const JointLaw& joint : standing.joints) settled.joints.push_back(joint.initial_state());
   std::vector<BodyContact> contacts;
   FloorPoints(scene.items[index].model, mechanism, 0).collect(state, {}, kNearFloor, contacts);
   for (const BodyContact& contact : contacts) settled.contacts.emplace_back().contact = contact;
@@ -169,15 +211,29 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   const State& there = settled.items[0];
   const double tilt = std::acos(std::min(1.0, (there.rotation * Vector3::UnitZ()).z()));
   const bool on_casters = !scene.items[index].model.casters.empty();
-  require(stands && tilt < 0.2 && std::abs(there.position.z() - state.position.z()) < 0.1,
+  const bool rests = tilt < 0.2 && std::abs(there.position.z() - state.position.z()) < 0.1;
+  require(bodies.size() == 1 || stands,
+          "the item does not come to rest: its centre of mass lies outside its support, or a part "
+          "moves on its "
+          "joint by itself, which friction, a spring, a latch or a lock would hold");
+  require(stands && rests,
           on_casters ? "the item does not stand on its casters: its centre of mass lies outside "
                        "their support"
                      : "the item does not stand on its base: its centre of mass lies outside it");
   LoadsState loads = state.loads;
   mechanism.loads.adopt_springs(standing.items[0].loads, there.loads, loads);
+  const auto adopt_bodies = [&](const SceneState& found) {
+    std::size_t joint = 0;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const LoadsState own = k == 0 ? loads : all.items[bodies[k]].loads;
+      all.items[bodies[k]] = found.items[k];
+      all.items[bodies[k]].loads = own;
+      if (const auto of_body = joint_of(scene, bodies[k]))
+        all.joints[*of_body] = found.joints[joint++];
+    }
+  };
   const auto adopt = [&](const SceneState& found) {
-    state = found.items[0];
-    state.loads = loads;
+    adopt_bodies(found);
     std::erase_if(all.contacts,
                   [&](const BodyContactState& c) { return c.contact.side.item == index; });
     for (BodyContactState memory : found.contacts) {
@@ -186,15 +242,14 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
     }
   };
   if (scene.items[index].on) {
-    state = there;
-    state.loads = loads;
+    adopt_bodies(settled);
     return raise(assembly, scene, index, settled.contacts, all);
   }
   adopt(settled);
   const bool is_level = scene.slope == 0 && scene.cross_slope == 0;
   if (is_level && !mechanism.loads.holds_at_start()) return;
 
-  Scene sprung = alone(scene, index);
+  Scene sprung = alone(scene, bodies);
   if (!mechanism.loads.holds_at_start()) sprung.items[0].loads.clear();
   stand_on_springs(sprung, below, std::nullopt);
   const Assembly free(sprung);

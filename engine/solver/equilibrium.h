@@ -7,7 +7,7 @@ namespace gurney {
 /// An item before it settles: on the floor, or on the surface above it that it stands on.
 State placed_above(const Assembly& assembly, const Scene& scene, std::size_t item);
 
-/// Static equilibrium of an item on its treads, from which a run starts. What stands on it loads it with its
+/// Static equilibrium of a whole item, with its parts, on its treads, from which a run starts. What stands on it loads it with its
 /// weight; what it stands on has settled before.
 ///
 /// First the item settles under the normal part of gravity with its horizontal motion held; then,

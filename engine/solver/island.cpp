@@ -11,15 +11,18 @@ std::size_t Islands::first_of(std::size_t item) {
   return item;
 }
 
-void Islands::update(std::vector<BodyContact>& contacts, std::size_t items) {
+void Islands::update(std::vector<BodyContact>& contacts, const std::vector<JointLaw>& joints,
+                     std::size_t items) {
   parent_.resize(items);
   island_of_.resize(items);
   std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  for (const BodyContact& contact : contacts) {
-    if (!contact.between_items()) continue;
-    const std::size_t a = first_of(contact.side.item), b = first_of(contact.other_side.item);
+  const auto join = [&](std::size_t i, std::size_t j) {
+    const std::size_t a = first_of(i), b = first_of(j);
     parent_[std::max(a, b)] = std::min(a, b);
-  }
+  };
+  for (const JointLaw& law : joints) join(law.joint().base, law.joint().part);
+  for (const BodyContact& contact : contacts)
+    if (contact.between_items()) join(contact.side.item, contact.other_side.item);
   const auto key = [&](const BodyContact& c) {
     const Vector3 &at = c.side.local, &n = c.normal;
     return std::tuple(first_of(c.side.item), c.side.item, c.other, c.side.caster, c.other_side.item,
@@ -31,10 +34,13 @@ void Islands::update(std::vector<BodyContact>& contacts, std::size_t items) {
     if (first_of(i) == i) {
       if (count_ == islands_.size()) islands_.emplace_back();
       islands_[count_].items.clear();
+      islands_[count_].joints.clear();
       island_of_[i] = count_++;
     }
     islands_[island_of_[first_of(i)]].items.push_back(i);
   }
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    islands_[island_of_[first_of(joints[j].joint().part)]].joints.push_back(j);
   std::size_t next = 0;
   for (std::size_t k = 0; k < count_; ++k) {
     Island& island = islands_[k];

@@ -4,20 +4,23 @@
 #include <vector>
 
 #include "engine/contact/body_contact.h"
+#include "engine/solver/joint_law.h"
 
 namespace gurney {
 
-/// Items that may touch each other in a step: they are solved together, all others apart.
+/// Items that may touch each other in a step or hang on each other: they are solved together, all others apart.
 struct Island {
   std::vector<std::size_t> items;                  ///< indices in Scene::items, increasing
   std::size_t first_contact = 0, end_contact = 0;  ///< theirs, in SceneState::contacts
+  std::vector<std::size_t> joints = {};            ///< theirs, in Scene::joints
 };
 
 /// The islands of a scene, by their first items.
 class Islands {
  public:
   /// Finds the islands of a scene of `items` items; sorts `contacts` by island.
-  void update(std::vector<BodyContact>& contacts, std::size_t items);
+  void update(std::vector<BodyContact>& contacts, const std::vector<JointLaw>& joints,
+              std::size_t items);
 
   std::span<const Island> all() const { return {islands_.data(), count_}; }
 

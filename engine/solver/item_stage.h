@@ -50,6 +50,11 @@ class ItemStage {
   void begin_forces(const Input& input, const Velocity& v);
   void add_contact_force(int caster, const Matrix36& chassis, const Matrix32& joints,
                          const Vector3& force);
+  /// A force along a generalised direction of the chassis, of a joint; and its slope into K.
+  void add_force(const Vector6& direction, double force) { force_ += force * direction; }
+  void add_slope(const Vector6& direction, double slope) {
+    matrix_ += (tau_ * slope) * direction * direction.transpose();
+  }
   /// @returns the largest entry as a fraction of M g tau
   double end_forces(const Input& input, const Velocity& v);
 

@@ -71,8 +71,15 @@ Vector3 Mechanism::velocity(const BodyContact::Side& side, const State& state) c
 
 double Mechanism::mobility(const BodyContact::Side& side, const Vector3& normal,
                            const State& state) const {
-  const Vector3 arm = state.rotation.conjugate() * point(side, state).cross(normal);
-  return 1 / chassis.mass + arm.dot(chassis.inertia.inverse() * arm);
+  Vector6 direction;
+  direction << normal, point(side, state).cross(normal);
+  return mobility(direction, state);
+}
+
+double Mechanism::mobility(const Vector6& direction, const State& state) const {
+  const Vector3 moment = state.rotation.conjugate() * direction.tail<3>();
+  return direction.head<3>().squaredNorm() / chassis.mass +
+         moment.dot(chassis.inertia.inverse() * moment);
 }
 
 State Mechanism::placed(const InitialMotion& initial) const {

@@ -39,6 +39,8 @@ struct Mechanism {
   /// 1 / the mass that an impulse along `normal` feels there of the chassis alone: more than that
   /// of all the item [1/kg].
   double mobility(const BodyContact::Side& side, const Vector3& normal, const State& state) const;
+  /// The same of a force along a generalised direction of the chassis.
+  double mobility(const Vector6& direction, const State& state) const;
 
   /// The item as it is placed: chassis pose, headings, initial velocity with rolling wheels; treads
   /// unloaded.

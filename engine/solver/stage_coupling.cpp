@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "engine/solver/stage_solver.h"
@@ -20,7 +21,7 @@ void solve_in_place(Eigen::Map<Eigen::MatrixXd> a, Eigen::Map<Eigen::VectorXd> x
     }
     if (a(k, k) != 0) a.col(k).tail(below) /= a(k, k);
     for (Eigen::Index j = k + 1; j < size; ++j)
-      a.col(j).tail(below) -= a(k, j) * a.col(k).tail(below);
+      if (a(k, j) != 0) a.col(j).tail(below) -= a(k, j) * a.col(k).tail(below);
     x.tail(below) -= x[k] * a.col(k).tail(below);
   }
   for (Eigen::Index k = size - 1; k >= 0; --k) {
@@ -35,12 +36,16 @@ void StageSolver::coupled_steps(const Island& island, double tau, std::vector<Ve
   // Pairs that may touch in this step and do not have equations of their own. A pair costs as much
   // either way.
   for (std::size_t i : island.items) group_of_[i] = island.items.size() > 2 ? i : island.items[0];
+  const auto merge = [&](std::size_t a, std::size_t b) {
+    for (std::size_t i : island.items)
+      if (group_of_[i] == std::max(a, b)) group_of_[i] = std::min(a, b);
+  };
+  for (const JointWork& work : joints_) merge(group_of_[work.base()], group_of_[work.part()]);
   for (const ContactWork& work : contacts_) {
     if (!work.pushes() || !work.contact->between_items()) continue;
     const std::size_t a = group_of_[work.contact->side.item],
                       b = group_of_[work.contact->other_side.item];
-    for (std::size_t i : island.items)
-      if (group_of_[i] == std::max(a, b)) group_of_[i] = std::min(a, b);
+    merge(a, b);
   }
   for (std::size_t first : island.items) {
     if (group_of_[first] != first) continue;
@@ -58,7 +63,8 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
                                std::vector<Velocity>& v) {
   std::vector<Place>& places = places_;
   Eigen::Index size = 0;
-  for (std::size_t i : group) {
+  // What hangs or stands on others comes later in the scene and is eliminated first: then most of the matrix stays zero.
+  for (std::size_t i : std::views::reverse(group)) {
     places[i].chassis = size;
     size += 6;
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
@@ -109,6 +115,16 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
     if (a.caster >= 0 && b.caster >= 0)
       couple(pa.joints[static_cast<std::size_t>(a.caster)], work.side.joints,
              pb.joints[static_cast<std::size_t>(b.caster)], work.other_side.joints);
+  }
+  for (const JointWork& work : joints_) {
+    if (group_of_[work.part()] != group.front()) continue;
+    const Eigen::Index part = places[work.part()].chassis, base = places[work.base()].chassis;
+    for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
+      const JointLaw::Row& row = work.stage.rows.rows[r];
+      const double slope = tau * work.forces[r].slope;
+      K.block<6, 6>(part, base) -= slope * row.part * row.base.transpose();
+      K.block<6, 6>(base, part) -= slope * row.base * row.part.transpose();
+    }
   }
   for (std::size_t i : group)
     for (int dof = 0; dof < 6; ++dof) {

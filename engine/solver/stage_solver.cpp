@@ -43,6 +43,7 @@ void StageSolver::set_input(const Input& input, std::size_t item) {
 void StageSolver::update_geometry(const Input& input, const std::vector<Velocity>& v, bool first) {
   for (std::size_t i : input.island->items) items_[i].update_geometry(inputs_[i], v[i], first);
   update_contacts(input, v);
+  update_joints(input, v);
 }
 
 double StageSolver::evaluate_forces(const Input& input, const std::vector<Velocity>& v) {
@@ -60,6 +61,7 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
       items_[b.item].add_contact_force(b.caster, work.other_side.chassis, work.other_side.joints,
                                        -work.force);
   }
+  add_joint_forces(v);
   double residual = 0;
   for (std::size_t i : input.island->items) {
     const double of_item = items_[i].end_forces(inputs_[i], v[i]);
@@ -79,6 +81,7 @@ void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
       items_[b.item].add_contact_slope(b.caster, work.other_side.chassis, work.other_side.joints,
                                        slope);
   }
+  add_joint_slopes();
   for (std::size_t i : input.island->items) items_[i].eliminate();
   if (input.island->items.size() == 1) return single_step(input.island->items.front(), v);
   coupled_steps(*input.island, input.tau, v);
@@ -149,6 +152,7 @@ void StageSolver::finish(const Input& input, const std::vector<Velocity>& v, Out
   for (std::size_t i : input.island->items)
     items_[i].finish(inputs_[i], v[i], out.end.items[i], out.items[i]);
   finish_contacts(input, v, out);
+  finish_joints(input, out);
 }
 
 }  // namespace gurney

@@ -74,6 +74,15 @@ class StageSolver {
     /// Else force and slope are zero.
     bool pushes() const { return force.z() != 0; }
   };
+  struct JointWork {
+    const JointLaw* law = nullptr;
+    JointLaw::Stage stage;
+    std::array<double, JointLaw::kRows> rates{};  // of the rows
+    std::array<JointLaw::Force, JointLaw::kRows> forces{};
+
+    std::size_t base() const { return law->joint().base; }
+    std::size_t part() const { return law->joint().part; }
+  };
 
   void set_input(const Input& input, std::size_t item);
   void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
@@ -94,11 +103,17 @@ class StageSolver {
   void update_contacts(const Input& input, const std::vector<Velocity>& v);
   void finish_contacts(const Input& input, const std::vector<Velocity>& v, Output& out) const;
 
+  void update_joints(const Input& input, const std::vector<Velocity>& v);
+  void add_joint_forces(const std::vector<Velocity>& v);
+  void add_joint_slopes();
+  void finish_joints(const Input& input, Output& out) const;
+
   const Assembly& assembly_;
   Settings settings_;
   std::vector<ItemStage> items_;
   std::vector<ItemStage::Input> inputs_;  // of the island's items, in the stage that is solved
   std::vector<ContactWork> contacts_;     // of the island
+  std::vector<JointWork> joints_;         // of the island
   std::vector<Velocity> v_, before_, full_;
   std::vector<std::size_t> group_of_, group_;  // items that push each other, by the first of them
   /// Where the unknowns of an item are in the system of its group: its chassis, then its kept joints.

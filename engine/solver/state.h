@@ -45,9 +45,19 @@ struct State {
   Pose pose() const { return {position, rotation.toRotationMatrix()}; }
 };
 
+/// State of one joint between items.
+struct JointState {
+  double coordinate = 0;  ///< q, not wrapped [m], [rad]
+  double wind = 0;        ///< deflection of stuck friction [m], [rad]
+  bool latched = false;
+  double latched_at = 0;             ///< q where the latch caught
+  std::array<double, 2> approach{};  ///< speed at which it last met its lower and upper stop
+};
+
 /// Everything of a scene that evolves.
 struct SceneState {
-  std::vector<State> items;  ///< as Scene::items
+  std::vector<State> items;        ///< as Scene::items
+  std::vector<JointState> joints;  ///< as Scene::joints
   std::vector<BodyContactState> contacts;
 };
 

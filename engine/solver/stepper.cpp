@@ -10,11 +10,12 @@
 namespace gurney {
 namespace {
 
-constexpr double kLandingTolerance = 1e-10;  // [m]
+constexpr double kEventDistance =
+    1e-10;  // of a weight from its floor, of a latch from its yield [m]
 /// Shorter remainders of a step are left out: rounding would be larger than the motion in them [s].
 constexpr double kShortestStep = 1e-8;
 
-constexpr int kMaxLandingTrials = 20;
+constexpr int kMaxEventTrials = 20;
 
 /// An event nearer to the start or end of a step than this fraction of it is left there.
 constexpr double kEventTolerance = 1e-3;
@@ -96,7 +97,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       accounts_(assembly.items.size()) {
   input_.guess.resize(assembly.items.size());
   between_.items.resize(assembly.items.size());
-  islands_.update(contacts_, assembly.items.size());
+  islands_.update(contacts_, assembly.joints, assembly.items.size());
 }
 
 void Stepper::change_loads(SceneState& state) {
@@ -112,6 +113,12 @@ void Stepper::extrapolate(const Island& island, const SceneState& from, double d
   for (std::size_t i : island.items)
     extrapolate_item(from.items[i], first_.end.items[i], first_.items[i].acceleration, duration,
                      assembly_.items[i].casters.size(), between_.items[i]);
+  between_.joints.resize(from.joints.size());
+  for (std::size_t j : island.joints) {
+    JointState& joint = between_.joints[j] = from.joints[j];
+    joint.coordinate = extrapolated(joint.coordinate, first_.end.joints[j].coordinate);
+    joint.wind = extrapolated(joint.wind, first_.end.joints[j].wind);
+  }
   between_.contacts.resize(from.contacts.size());
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     between_.contacts[c] = from.contacts[c];
@@ -176,35 +183,41 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     if (!tethers.empty())
       accounts_[i].damper_loss += tethers.break_overstressed(second_.end.items[i]);
   }
+  for (std::size_t j : island.joints)
+    accounts_[assembly_.joints[j].joint().part].damper_loss +=
+        assembly_.joints[j].work_latch(assembly_.joint_rate(j, second_.end), second_.end.joints[j]);
   quality_.largest_residual =
       std::max({quality_.largest_residual, first_.residual, second_.residual});
   ++quality_.steps;
   if (observer)
     observer({&island, time, duration, &state, &second_.end, &first_, &second_, floor_second_});
   for (std::size_t i : island.items) state.items[i] = second_.end.items[i];
+  for (std::size_t j : island.joints) state.joints[j] = second_.end.joints[j];
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c)
     std::swap(state.contacts[c], second_.end.contacts[c]);
 }
 
-double Stepper::penetration(const Island& island, const SceneState& state) const {
-  double deepest = -1;
+double Stepper::past_event(const Island& island, const SceneState& state) const {
+  double farthest = -1;
   for (std::size_t i : island.items)
     if (!assembly_.items[i].loads.empty())
-      deepest = std::max(deepest, assembly_.items[i].loads.penetration(state.items[i].loads));
-  return deepest;
+      farthest = std::max(farthest, assembly_.items[i].loads.penetration(state.items[i].loads));
+  for (std::size_t j : island.joints)
+    farthest = std::max(farthest, assembly_.joints[j].past_release(state.joints[j]));
+  return farthest;
 }
 
-std::optional<double> Stepper::locate_landing(const Island& island, const SceneState& from,
-                                              double duration) {
+std::optional<double> Stepper::locate_event(const Island& island, const SceneState& from,
+                                            double duration) {
   double low = 0, high = duration;
-  double at_low = penetration(island, from);
-  double at_high = penetration(island, second_.end);
+  double at_low = past_event(island, from);
+  double at_high = past_event(island, second_.end);
   double trial = duration;
-  for (int i = 0; i < kMaxLandingTrials && high - low > 1e-15; ++i) {
+  for (int i = 0; i < kMaxEventTrials && high - low > 1e-15; ++i) {
     trial = low + (high - low) * at_low / (at_low - at_high);
     if (!attempt(island, from, trial)) return std::nullopt;
-    const double here = penetration(island, second_.end);
-    if (std::abs(here) < kLandingTolerance) break;
+    const double here = past_event(island, second_.end);
+    if (std::abs(here) < kEventDistance) break;
     if (here < 0) {
       low = trial;
       at_low = here;
@@ -242,10 +255,11 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
                          finite ? residual : std::nan(""));
     ++quality_.unconverged_steps;
   }
-  if (penetration(island, second_.end) > kLandingTolerance) {
-    const std::optional<double> landing = locate_landing(island, state, duration);
-    if (!landing) return "the landing of a drop weight could not be located";
-    duration = *landing;
+  if (past_event(island, second_.end) > kEventDistance) {
+    const std::optional<double> event = locate_event(island, state, duration);
+    if (!event)
+      return "the landing of a drop weight or the release of a latch could not be located";
+    duration = *event;
     ++quality_.event_steps;
     accept(island, state, duration, observer);
     for (std::size_t i : island.items) {

@@ -22,7 +22,7 @@ namespace gurney {
 /// Given a tolerance it takes several steps of its own choice where one would be too inaccurate
 /// (StepControl); a rejected one changes nothing but the choice of the next.
 /// A step whose solve does not converge is halved, again and again down to `max_subdivisions`.
-/// Events that change the equations (a drop weight reaching its floor) are located inside the step
+/// Events that change the equations (a drop weight reaching its floor, a latch that lets go) are located inside the step
 /// and end it; at those that bend a force (slip that reverses, a wheel that leaves the floor or
 /// lands) a step ends where they are foreseen. While a body meets another one the steps are a
 /// fraction of the contact's duration.
@@ -70,14 +70,16 @@ class Stepper {
   /// One step and what events make of it; none where the step is rejected.
   std::optional<std::string> advance_smoothly(const Island& island, SceneState& state, double time,
                                               int depth, const Observer& observer);
-  double penetration(const Island& island, const SceneState& state) const;
-  std::optional<double> locate_landing(const Island& island, const SceneState& from,
-                                       double duration);
+  /// How far the first event that changes the equations lies behind the state (> 0: inside the step) [m].
+  double past_event(const Island& island, const SceneState& state) const;
+  std::optional<double> locate_event(const Island& island, const SceneState& from, double duration);
   double approach_speed(const BodyContact& contact, const SceneState& state) const;
   double predicted_acceleration(const BodyContact& contact, const SceneState& state) const;
   /// How fast each contact of the island closes, and how fast those apart come near.
   void observe_approach(const Island& island, SceneState& state);
   double longest_step(const Island& island, const SceneState& state, double remaining);
+  double longest_step_at_stops(const Island& island, const SceneState& state,
+                               double remaining) const;
 
   double end_of_step(const Island& island, const SceneState& state, double latest);
 

@@ -19,7 +19,7 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
   for (std::size_t i = 0; i < count; ++i)
     accounts_[i].contact_loss += assembly_.contact_energy(i, state);
   contacts_ = contacts;
-  islands_.update(contacts_, count);
+  islands_.update(contacts_, assembly_.joints, count);
   memory_.match(contacts_, state.contacts);
   for (BodyContactState& memory : state.contacts) {
     memory.deflection -= memory.contact.normal * memory.contact.normal.dot(memory.deflection);
@@ -48,10 +48,36 @@ void Stepper::observe_approach(const Island& island, SceneState& state) {
     rates_.push_back(contact.normal.dot(assembly_.velocity(contact, state)));
     if (memory.compression <= 0) memory.approach_speed = std::max(0.0, -rates_.back());
   }
+  for (std::size_t j : island.joints) {
+    const JointLaw& law = assembly_.joints[j];
+    const auto stops = law.approaches(state.joints[j], assembly_.joint_rate(j, state));
+    for (std::size_t side = 0; side < stops.size(); ++side)
+      if (stops[side].compression <= 0)
+        state.joints[j].approach[side] = std::max(0.0, stops[side].speed);
+  }
+}
+
+double Stepper::longest_step_at_stops(const Island& island, const SceneState& state,
+                                      double remaining) const {
+  double longest = remaining;
+  for (std::size_t j : island.joints) {
+    const JointLaw& law = assembly_.joints[j];
+    if (state.joints[j].latched || !law.has_stops()) continue;
+    const auto stops = law.approaches(state.joints[j], assembly_.joint_rate(j, state));
+    for (const auto& [compression, speed] : stops) {
+      if (std::abs(speed) < ImpactLaw::kLeastApproach) continue;
+      if (compression <= 0 && -compression > 2 * speed * remaining) continue;
+      const double mass = 1 / assembly_.mobility(assembly_.rows(j, state), j, state);
+      const double duration = std::numbers::pi * std::sqrt(mass / law.stop_stiffness());
+      const double until_touch = compression < 0 ? -compression / speed : 0;
+      longest = std::min(longest, std::max(duration / kStepsInImpact, 0.8 * until_touch));
+    }
+  }
+  return longest;
 }
 
 double Stepper::longest_step(const Island& island, const SceneState& state, double remaining) {
-  double longest = remaining;
+  double longest = longest_step_at_stops(island, state, remaining);
   const auto stays_apart = [&](std::size_t c) {
     const double gap = -state.contacts[c].compression;
     return gap > 0 && gap > -2 * rates_[c - island.first_contact] * remaining;

@@ -102,8 +102,8 @@ bool WheelClearance::any_near(const SceneState& state, const Travels& travels, d
         near(from_room_[i], of_i, [&] { return gap_to_room(balls(i, state.items[i])); }))
       return true;
     for (std::size_t j = i + 1; j < count; ++j)
-      if (near(between_[i * count + j], of_i + travelled(j),
-               [&] { return gap_between(i, j, state); }))
+      if (!assembly_.joined(i, j) && near(between_[i * count + j], of_i + travelled(j),
+                                          [&] { return gap_between(i, j, state); }))
         return true;
   }
   return false;

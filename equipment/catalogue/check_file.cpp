@@ -141,7 +141,7 @@ CheckedFile check_item(const std::string& file) {
       const LoadedItem item = load_item(file, {}, variants);
       if (variant.empty()) result.name = item.model.name;
       std::vector<std::string> warnings = item.warnings;
-      append(warnings, implausible(item.model));
+      append(warnings, implausible(as_rigid(item)));
       for (std::string& warning : warnings)
         result.warnings.push_back(variant.empty() ? warning : warning + " (" + variant + ")");
     } catch (const Error& error) {

@@ -13,6 +13,7 @@
 #include "engine/config/nearest_name.h"
 #include "engine/config/overlay.h"
 #include "engine/config/table.h"
+#include "equipment/catalogue/body_reader.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/quantity.h"
 
@@ -23,37 +24,6 @@ using config::Range;
 using config::Table;
 
 constexpr int kMaxPayloads = 100;
-
-void read_chassis(Quantities in, Uncertain<ItemDescription>& item) {
-  item.set(&ItemDescription::chassis_mass, in.number("mass_kg", Range::positive()));
-  item.set(&ItemDescription::chassis_center_of_mass,
-           in.vector_mm("center_of_mass_mm", Range::any()));
-  const bool box = in.table().has("inertia_box_mm");
-  if (box && in.table().has("inertia_kg_m2"))
-    in.table().note("inertia_box_mm", ": must not go with inertia_kg_m2; one of them states it");
-  if (!box && !in.table().has("inertia_kg_m2")) {
-    in.table().note("inertia_box_mm", ": missing; must be given, or inertia_kg_m2 in its place");
-    in.table().has("inertia_products_kg_m2");  // is known, though useless alone
-    return;
-  }
-  if (box) {
-    item.add([size = in.vector_mm("inertia_box_mm", Range::positive())](ItemDescription& of_draw,
-                                                                        Sampler& of) {
-      of_draw.chassis_inertia = solid_box_inertia(of_draw.chassis_mass, of(size));
-    });
-    return;
-  }
-  item.add([moments = in.vector("inertia_kg_m2", Range::positive(), Vector3::Ones()),
-            products = in.vector("inertia_products_kg_m2", Range::any(), Vector3::Zero())](
-               ItemDescription& of_draw, Sampler& of) {
-    Matrix3& inertia = of_draw.chassis_inertia;
-    inertia = of(moments).asDiagonal();
-    const Vector3 off_diagonal = of(products);
-    inertia(0, 1) = inertia(1, 0) = off_diagonal[0];
-    inertia(0, 2) = inertia(2, 0) = off_diagonal[1];
-    inertia(1, 2) = inertia(2, 1) = off_diagonal[2];
-  });
-}
 
 /// Casters named in one item. A file is read once, and its errors are noted once.
 class CasterTypes {
@@ -161,16 +131,15 @@ Uncertain<ItemDescription> read_item(Table table) {
     table.note("chassis", ": missing; must be a table [" + table.name_of("chassis") + "]");
   Uncertain<ItemDescription> item(std::move(fixed));
   const ItemDescription& stated = item.stated();
-  if (chassis) read_chassis(Quantities(*chassis), item);
-
-  for (Table& box : table.tables("shape")) {
-    Quantities in(box);
-    Uncertain<Box> shape;
-    shape.set(&Box::center, in.vector_mm("center_mm", Range::any()));
-    shape.set(&Box::size, in.vector_mm("size_mm", Range::positive()));
-    item.append(&ItemDescription::shape, std::move(shape));
+  if (chassis) {
+    Quantities in(*chassis);
+    read_body(in,
+              BodyMembers<ItemDescription>{&ItemDescription::chassis_mass,
+                                           &ItemDescription::chassis_center_of_mass,
+                                           &ItemDescription::chassis_inertia},
+              item);
   }
-  if (stated.shape.empty()) table.note("shape", ": must have at least one box [[shape]]");
+  read_shape(table, &ItemDescription::shape, item);
 
   CasterTypes types;
   for (Table& place : table.tables("caster"))
@@ -185,14 +154,16 @@ Uncertain<ItemDescription> read_item(Table table) {
                               table.name_of("contact") + "], how it meets the floor");
   for (Table& payload : table.tables("payload"))
     item.append(&ItemDescription::payloads, read_payload(payload));
-  for (Table& point : table.tables("marked_point")) {
-    Uncertain<MarkedPoint> marked(MarkedPoint{point.text("name"), Vector3::Zero()});
-    marked.set(&MarkedPoint::position, Quantities(point).vector_mm("position_mm", Range::any()));
-    item.append(&ItemDescription::marked_points, std::move(marked));
-  }
+  read_marked_points(table, &ItemDescription::marked_points, item);
+  for (Table& part : table.tables("part"))
+    item.append(&ItemDescription::parts, read_part(part, stated.parts));
+  for (Table& content : table.tables("content"))
+    item.append(&ItemDescription::contents, read_content(content, stated.parts));
   check_names(stated.casters, "caster", table);
   check_names(stated.payloads, "payload", table);
   check_names(stated.marked_points, "marked_point", table);
+  check_names(stated.parts, "part", table);
+  check_names(stated.contents, "content", table);
   return item;
 }
 

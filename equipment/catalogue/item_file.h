@@ -8,6 +8,7 @@
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/caster_type.h"
 #include "equipment/catalogue/contact_table.h"
+#include "equipment/catalogue/item_parts.h"
 #include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::equipment {
@@ -52,6 +53,8 @@ struct ItemDescription {
   ItemContact contact;
   std::vector<PayloadKind> payloads;
   std::vector<MarkedPoint> marked_points;
+  std::vector<PartDescription> parts;
+  std::vector<ContentDescription> contents;
   std::vector<std::string> variants;    ///< names of all the file has, sorted
   std::vector<Assumption> assumptions;  ///< besides those of casters and payloads
 };

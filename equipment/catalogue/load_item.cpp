@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/base/diagnostics.h"
 #include "engine/base/units.h"
@@ -114,24 +115,131 @@ void add_payloads(const PayloadKind& kind, const ItemOptions& options, const Vec
   if (count > 0) add_assumptions(loaded.assumptions, kind.assumptions);
 }
 
+/// Of a material against what has none of its own, and against the floor where it has a covering.
+std::vector<MaterialPair> pairs_of(const std::string& material, const ContactConstants& constants,
+                                   const ItemOptions& options) {
+  std::vector<MaterialPair> pairs = {{material, "", constants}};
+  if (options.floor) {
+    pairs.push_back({material, options.floor->name, constants});
+    pairs.back().constants.friction *= options.floor->friction_factor;
+  }
+  return pairs;
+}
+
 void add_contact(const ItemContact& contact, const ItemOptions& options, LoadedItem& loaded) {
   loaded.states_contact = !contact.material.empty();
   if (loaded.states_contact) loaded.model.material = contact.material;
-  const std::string& material = loaded.model.material;
-  loaded.pairs = {{material, "", contact.constants}};
-  if (options.floor) {
-    MaterialPair pair{material, options.floor->name, contact.constants};
-    pair.constants.friction *= options.floor->friction_factor;
-    loaded.floor_material = pair.other;
-    loaded.pairs.push_back(pair);
-  }
+  loaded.pairs = pairs_of(loaded.model.material, contact.constants, options);
+  if (options.floor) loaded.floor_material = options.floor->name;
   add_assumptions(loaded.assumptions, contact.assumptions);
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Stiffness and damping of a flexible joint whose frequency is stated, with all that hangs on it. An
+/// upright mast leans against gravity: k = I (2 pi f)^2 + sum m g h, c = 2 zeta I (2 pi f), where I is
+/// about the joint across its axis, the mean of both directions, and h along it upwards.
+void set_frequency(const ItemDescription& item, std::size_t index, Joint& joint) {
+  const PartDescription& mast = item.parts[index];
+  double inertia = 0, lift = 0;
+  std::vector<bool> hangs(item.parts.size());
+  for (std::size_t i = index; i < item.parts.size(); ++i) {
+    const PartDescription& part = item.parts[i];
+    hangs[i] = i == index || (part.base > 0 && hangs[part.base - 1]);
+    if (!hangs[i]) continue;
+    const Vector3 from = part.center_of_mass - mast.joint.point;
+    const Vector3& axis = joint.axis;
+    const double across = 0.5 * (part.inertia.trace() - axis.dot(part.inertia * axis));
+    const double along = axis.dot(from);
+    inertia += across + part.mass * (along * along + 0.5 * (from.squaredNorm() - along * along));
+    lift += part.mass * kStandardGravity * from.z();
+  }
+  const double rate = 2 * std::numbers::pi * mast.frequency;
+  joint.stiffness = inertia * rate * rate + lift;
+  joint.damping = 2 * mast.damping_ratio * inertia * rate;
+}
+
+LoadedPart load_part(const ItemDescription& item, std::size_t index, const ItemOptions& options,
+                     const Vector3& base) {
+  const PartDescription& part = item.parts[index];
+  LoadedPart loaded;
+  loaded.joint = part.joint;
+  loaded.joint.base = part.base;
+  loaded.joint.point += base;
+  if (part.frequency > 0) set_frequency(item, index, loaded.joint);
+  if (options.locked_parts ? has(*options.locked_parts, part.name) : part.locked)
+    loaded.joint.latch = Joint::kFree;
+  EquipmentModel& model = loaded.model;
+  model.name = part.name;
+  model.chassis_mass = part.mass;
+  model.chassis_center_of_mass = base + part.center_of_mass;
+  model.chassis_inertia = part.inertia;
+  model.material = part.material;
+  for (const Box& box : part.shape) model.shape.push_back({base + box.center, box.size});
+  for (const MarkedPoint& point : part.marked_points)
+    model.marked_points.push_back({point.name, base + point.position});
+  validate(model);
+  return loaded;
+}
+
+/// Whether the top of one of the boxes lies at the underside of a content, below its middle.
+bool carries(const std::vector<Box>& boxes, const ContentDescription& content) {
+  constexpr double kSameHeight = 1e-3;  // [m] heights are stated in mm
+  return std::ranges::any_of(boxes, [&](const Box& box) {
+    const Vector3 from = (content.position - box.center).cwiseAbs() - box.size / 2;
+    const double above = content.position.z() - (box.center.z() + box.size.z() / 2);
+    return from.head<2>().maxCoeff() <= 0 && std::abs(above) <= kSameHeight;
+  });
+}
+
+LoadedContent load_content(const ItemDescription& item, const ContentDescription& content,
+                           const ItemOptions& options, const Vector3& base) {
+  const std::vector<Box>& below = content.on == 0 ? item.shape : item.parts[content.on - 1].shape;
+  require(carries(below, content),
+          fmt::format(
+              "{}{}content '{}': no box of {} has its top below it at {:g} mm", content.where,
+              content.where.empty() ? "" : ": ", content.name,
+              content.on == 0 ? "the chassis" : "part '" + item.parts[content.on - 1].name + "'",
+              content.position.z() * kMillimetersPerMeter));
+  LoadedContent loaded;
+  loaded.on = content.on;
+  loaded.position = base + content.position;
+  loaded.yaw = content.yaw;
+  EquipmentModel& model = loaded.model;
+  const Vector3 middle(0, 0, 0.5 * content.size.z());
+  model.name = content.name;
+  model.chassis_mass = content.mass;
+  model.chassis_center_of_mass = middle;
+  model.chassis_inertia = solid_box_inertia(content.mass, content.size);
+  model.material = content.contact.material;
+  model.shape = {{middle, content.size}};
+  loaded.pairs = pairs_of(model.material, content.contact.constants, options);
+  return loaded;
 }
 
 }  // namespace
 
 const ContactConstants& floor_contact(const LoadedItem& item) {
   return item.pairs.back().constants;
+}
+
+EquipmentModel as_rigid(const LoadedItem& item) {
+  EquipmentModel whole = item.model;
+  for (const LoadedPart& part : item.parts) {
+    whole.shape.insert(whole.shape.end(), part.model.shape.begin(), part.model.shape.end());
+    whole.payloads.push_back({part.model.name, part.model.chassis_mass,
+                              part.model.chassis_center_of_mass, part.model.chassis_inertia});
+  }
+  for (const LoadedContent& content : item.contents) {
+    const Eigen::AngleAxisd turn(content.yaw, Vector3::UnitZ());
+    whole.payloads.push_back(
+        {content.model.name, content.model.chassis_mass,
+         content.position + turn * content.model.chassis_center_of_mass,
+         turn * content.model.chassis_inertia * turn.inverse().toRotationMatrix()});
+  }
+  return whole;
 }
 
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options) {
@@ -152,9 +260,16 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   for (const MarkedPoint& point : item.marked_points)
     model.marked_points.push_back({point.name, base + point.position});
   add_contact(item.contact, options, loaded);
+  for (std::size_t i = 0; i < item.parts.size(); ++i)
+    loaded.parts.push_back(load_part(item, i, options, base));
+  for (const ContentDescription& content : item.contents) {
+    if (options.contents && !has(*options.contents, content.name)) continue;
+    loaded.contents.push_back(load_content(item, content, options, base));
+    add_assumptions(loaded.assumptions, content.contact.assumptions);
+  }
   if (options.floor) add_assumptions(loaded.assumptions, options.floor->assumptions);
   validate(model);
-  loaded.warnings = stability_of(model).warnings;
+  loaded.warnings = stability_of(as_rigid(loaded)).warnings;
   return loaded;
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/scene/contact_pair.h"
 #include "engine/scene/equipment_model.h"
+#include "engine/scene/joint.h"
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/floor_covering.h"
 #include "equipment/catalogue/item_file.h"
@@ -23,11 +24,30 @@ struct ItemOptions {
   std::vector<bool> brakes_drawn;       ///< as brakes, true: each draw decides
   std::vector<bool> locks_drawn;        ///< the same of swivel_locks
   std::map<std::string, int> payloads;  ///< how many of each kind the item knows
+  std::optional<std::vector<std::string>> locked_parts;  ///< these and no others
+  std::optional<std::vector<std::string>> contents;      ///< these and no others are there
+};
+
+/// A part of an item ready for the engine, in item axes.
+struct LoadedPart {
+  EquipmentModel model;
+  Joint joint;  ///< base: 0 the chassis, i + 1 part i; part aside
+};
+
+/// A loose box that stands on an item, in the axes of a box on the floor.
+struct LoadedContent {
+  EquipmentModel model;
+  std::size_t on = 0;                  ///< 0 the chassis, i + 1 part i
+  Vector3 position = Vector3::Zero();  ///< middle of its underside, item axes [m]
+  double yaw = 0;                      ///< in item axes [rad]
+  std::vector<MaterialPair> pairs;     ///< as LoadedItem::pairs
 };
 
 /// An item ready for the engine, with what its numbers rest on.
 struct LoadedItem {
   EquipmentModel model;
+  std::vector<LoadedPart> parts;
+  std::vector<LoadedContent> contents;
   /// Against what has no material of its own, and last against `floor_material` where there is a
   /// covering: its factor is on the friction. These are all a scene without further materials
   /// needs.
@@ -44,6 +64,9 @@ struct LoadedItem {
 ///         that differ between casters, constants outside the engine's ranges), with the place of a
 ///         caster that was read from a file.
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
+
+/// The item with its parts and contents as payloads, its masses as it stands, and with the boxes of its parts.
+EquipmentModel as_rigid(const LoadedItem& item);
 
 /// Constants of the item's chassis, or its feet, against the floor.
 const ContactConstants& floor_contact(const LoadedItem& item);

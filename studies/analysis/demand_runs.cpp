@@ -70,7 +70,7 @@ std::vector<DemandRuns> demand_runs(const StudyData& data,
         if (!std::isfinite(values[i]) || !(measure.values[run] > 0)) continue;
         found.runs.push_back({measure.values[run], values[i], falls[i] >= 0, data.record_of(run),
                               static_cast<std::size_t>(cases[run]),
-                              levels.texts[levels.of_run[run]]});
+                              levels.texts[levels.of_run[run]], run});
       }
       if (found.runs.empty()) continue;
       const DemandRuns place{item_of(named), named.quantity.column, data.units().of(named.units),

@@ -17,6 +17,7 @@ struct DemandRun {
   std::size_t record = 0;
   std::size_t analysis_case = 0;  ///< runs that differ in their intensity alone share it
   std::string level = {};         ///< as the job states it: "0.3 g"
+  std::size_t run = 0;            ///< its number in the file
 };
 
 /// One demand in several configurations.

@@ -168,17 +168,21 @@ std::vector<std::string> cautions(const SiteRate& rate, const ReportUnit& unit) 
   return all;
 }
 
-FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request) {
-  const RunMeasure measure = data.measure(request.measure);
-  const LimitState& state = data.limit_states().at(request.state);
+Eigen::Matrix2d FragilityResult::covariance() const {
+  if (by_cloud()) return cloud_covariance;
+  return capacities ? capacities->covariance : fit.cluster_covariance;
+}
+
+namespace {
+
+/// @param limit  of a cloud
+FragilityResult judged(const StudyData& data, const FragilityRequest& request,
+                       const RunMeasure& measure, FittedCurve fitted, double limit) {
   FragilityResult result;
+  static_cast<FittedCurve&>(result) = std::move(fitted);
   result.configuration = data.configurations().at(request.configuration);
-  result.state = state.name;
-  result.words = state.words;
   result.measure = {measure.name, measure.units, {}};
   result.failed = data.failed(request.configuration);
-  static_cast<FittedCurve&>(result) =
-      fitted_curve(data, request.state, request.configuration, measure, request.method);
   result.runs = result.fit.runs;
   result.exceeded = result.fit.exceeded;
   result.records = result.fit.groups;
@@ -189,9 +193,8 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
     result.stripes = table.stripes();
     result.isotonic = statistics::isotonic_curve(result.stripes);
   }
-  if (result.cloud) result.demand_units = units_of(state.quantity);
   if (result.by_cloud())
-    judge_cloud(state.limit, request, result);
+    judge_cloud(limit, request, result);
   else if (result.capacities)
     judge_capacities(request, data.study().seed, result);
   else
@@ -200,6 +203,33 @@ FragilityResult fragility_of(const StudyData& data, const FragilityRequest& requ
   if (hazard != nullptr && result.curve())
     result.rate = site_rate(*result.curve(), result.band, result.audit, *hazard);
   return result;
+}
+
+}  // namespace
+
+FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request) {
+  const RunMeasure measure = data.measure(request.measure);
+  const LimitState& state = data.limit_states().at(request.state);
+  FragilityResult result =
+      judged(data, request, measure,
+             fitted_curve(data, request.state, request.configuration, measure, request.method),
+             state.limit);
+  result.state = state.name;
+  result.words = state.words;
+  if (result.cloud) result.demand_units = units_of(state.quantity);
+  return result;
+}
+
+FragilityResult fragility_of_outcomes(const StudyData& data,
+                                      const std::map<std::size_t, bool>& exceeded,
+                                      const FragilityRequest& request) {
+  const RunMeasure measure = data.measure(request.measure);
+  FittedCurve fitted;
+  fitted.observations = data.observations(exceeded, request.configuration, measure);
+  fitted.fit = statistics::fit_fragility(fitted.observations);
+  fitted.audit =
+      outcome_audit(fitted.fit, fitted.observations, scale_factors(data, request.configuration));
+  return judged(data, request, measure, std::move(fitted), 0);
 }
 
 std::vector<FragilityResult> fragilities_of(const StudyData& data) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,10 +69,19 @@ struct FragilityResult : FittedCurve {
   std::string demand_units = "1";  ///< of the cloud, SI
 
   std::optional<SiteRate> rate;  ///< with the study's hazard
+
+  Eigen::Matrix2d covariance() const;  ///< of ln theta and ln beta
 };
 
 /// @throws Error for a measure that the file lacks
 FragilityResult fragility_of(const StudyData& data, const FragilityRequest& request);
+
+/// Of outcomes that somebody else has judged, by run; runs without one are left out.
+/// @param request  its state is not asked for
+/// @throws Error for a measure or a run that the file lacks
+FragilityResult fragility_of_outcomes(const StudyData& data,
+                                      const std::map<std::size_t, bool>& exceeded,
+                                      const FragilityRequest& request);
 
 /// Over the study's own measure, of each configuration that has runs and each limit state.
 std::vector<FragilityResult> fragilities_of(const StudyData& data);

@@ -188,12 +188,25 @@ std::vector<statistics::Observation> StudyData::observations(std::size_t state,
                                                              const RunMeasure& measure) const {
   const std::vector<std::size_t>& runs = runs_.at(configuration);
   const std::vector<bool> exceeds = exceedances(state, runs);
+  std::map<std::size_t, bool> exceeded;
+  for (std::size_t i = 0; i < runs.size(); ++i) exceeded.emplace(runs[i], exceeds[i]);
+  return observations(exceeded, configuration, measure);
+}
+
+std::vector<statistics::Observation> StudyData::observations(
+    const std::map<std::size_t, bool>& exceeded, std::size_t configuration,
+    const RunMeasure& measure) const {
+  require(exceeded.empty() || exceeded.rbegin()->first < record_.size(),
+          fmt::format("{}: no run {}; it has {}", file_->path(),
+                      exceeded.empty() ? 0 : exceeded.rbegin()->first, record_.size()));
   const std::vector<double> cases = file_->numbers("runs/analysis_case");
   std::vector<statistics::Observation> result;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (measure.values[runs[i]] > 0)
-      result.push_back({measure.values[runs[i]], exceeds[i], record_[runs[i]],
-                        static_cast<std::size_t>(cases[runs[i]])});
+  for (const std::size_t run : runs_.at(configuration)) {
+    const auto outcome = exceeded.find(run);
+    if (outcome != exceeded.end() && measure.values[run] > 0)
+      result.push_back({measure.values[run], outcome->second, record_[run],
+                        static_cast<std::size_t>(cases[run])});
+  }
   return result;
 }
 

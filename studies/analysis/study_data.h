@@ -96,6 +96,12 @@ class StudyData {
   std::vector<statistics::Observation> observations(std::size_t state, std::size_t configuration,
                                                     const RunMeasure& measure) const;
 
+  /// The same of runs whose outcomes are stated, in a map by their number.
+  /// @throws Error for a run that the file lacks
+  std::vector<statistics::Observation> observations(const std::map<std::size_t, bool>& exceeded,
+                                                    std::size_t configuration,
+                                                    const RunMeasure& measure) const;
+
   /// The demand of a simple state above a limit, run by run: the largest over its items. Runs that
   /// overturned are at least at the limit or at their demand, whichever is more; runs that moved
   /// less than `floor` are at most there.

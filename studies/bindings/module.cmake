@@ -5,8 +5,11 @@ find_program(GURNEY_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(GURNEY_PYTHON python3)
 
 add_custom_target(product DEPENDS gurney)
-file(GLOB modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/*.py)
+file(GLOB modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/*.py
+  ${CMAKE_CURRENT_LIST_DIR}/../python/gurney/py.typed)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/python/gurney)
+file(GLOB links ${PROJECT_BINARY_DIR}/python/gurney/*.py)  # some may be of files that are gone
+file(REMOVE ${links})
 file(WRITE ${PROJECT_BINARY_DIR}/python/gurney/source_folder "${PROJECT_SOURCE_DIR}\n")
 foreach(module IN LISTS modules)
   get_filename_component(name ${module} NAME)
@@ -26,7 +29,8 @@ endif()
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
 add_library(gurney_bindings MODULE ${sources})
 target_link_libraries(gurney_bindings PRIVATE Python::Module pybind11::headers
-  gurney_engine_run gurney_studies_prepare gurney_studies_results ${CMAKE_DL_LIBS})
+  gurney_engine_run gurney_studies_prepare gurney_studies_results
+  gurney_studies_analysis ${CMAKE_DL_LIBS})
 target_compile_options(gurney_bindings PRIVATE ${GURNEY_LIGHT_OPTIONS})
 set_target_properties(gurney_bindings PROPERTIES PREFIX "" OUTPUT_NAME _engine
   SUFFIX ".${Python_SOABI}.so" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/python/gurney)

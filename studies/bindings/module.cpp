@@ -3,10 +3,12 @@
 #include <pybind11/stl.h>
 
 #include "engine/base/error.h"
+#include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/data_folder.h"
 #include "studies/bindings/array_record.h"
 #include "studies/bindings/arrays.h"
 #include "studies/bindings/finished_run.h"
+#include "studies/bindings/study_curves.h"
 #include "studies/build_info/build_info.h"
 #include "studies/results/names.h"
 #include "studies/results/results_file.h"
@@ -38,15 +40,18 @@ py::bytes results_bytes(const FinishedRun& run) {
   return study::results_image(run.facts, run.response);
 }
 
-/// The data of an installation are beside this library and not beside the interpreter:
-/// PREFIX/lib/python3/dist-packages/gurney/_engine.so stands for PREFIX/lib/program. That of a build
-/// stands for itself.
+/// The data of an installation are beside this library and not beside the interpreter: in the first
+/// folder above it that has share/gurney, PREFIX of PREFIX/lib/python3/dist-packages/gurney, or the
+/// target of `pip install --target`. The library of a build stands for itself.
 void find_data_beside_module() {
   Dl_info library;
   if (dladdr(reinterpret_cast<const void*>(&find_data_beside_module), &library) == 0) return;
   std::filesystem::path place = std::filesystem::absolute(library.dli_fname).parent_path();
-  if (!exists(place / equipment::kSourceFolderFile))
-    place = place.parent_path().parent_path().parent_path();
+  if (!exists(place / equipment::kSourceFolderFile)) {
+    while (!exists(place / "share" / "gurney") && place.has_relative_path())
+      place = place.parent_path();
+    place /= "bin";
+  }
   equipment::take_as_program(place / "program");
 }
 
@@ -83,6 +88,14 @@ PYBIND11_MODULE(_engine, module) {
       .def("results", &results_bytes);
   module.def("simulate", &simulate, py::arg("path"), py::arg("text"), py::arg("record"),
              py::arg("time_step"), py::arg("predictability"));
+  module.def("data_folder", &equipment::data_folder);
+  using equipment::DataKind;
+  py::enum_<DataKind>(module, "DataKind")
+      .value("item", DataKind::kItem)
+      .value("caster", DataKind::kCaster);
+  module.def("find_data", &equipment::find_data, py::arg("kind"), py::arg("name"),
+             py::arg("named_in"));
+  define_curves(module);
 }
 
 }  // namespace gurney::bindings

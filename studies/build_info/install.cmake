@@ -10,6 +10,10 @@ foreach(folder equipment groundmotions/records groundmotions/buildings studies/j
     COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN catalogue EXCLUDE)
 endforeach()
 
+# The page of the workbench, where ./dev workbench has made it.
+install(FILES ${PROJECT_SOURCE_DIR}/build/workbench/workbench.html DESTINATION share/gurney
+  COMPONENT program OPTIONAL)
+
 # The license, with the notices of code that is compiled in.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/notices.txt notices)
@@ -56,7 +60,7 @@ else()
   ]] COMPONENT python)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies/python/gurney DESTINATION "\${GURNEY_PYTHON_FOLDER}"
-  COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+  COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 if(TARGET gurney_bindings)
   install(TARGETS gurney_bindings LIBRARY DESTINATION "\${GURNEY_PYTHON_FOLDER}/gurney"
     COMPONENT python OPTIONAL)

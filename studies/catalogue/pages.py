@@ -25,7 +25,7 @@ SETTINGS = ["off", "on", "locked"]
 SHOWN = 0.05  # of p, adjusted for the number of constants
 
 
-CAUTION = ("Synthetic motions and a class of items with mostly assumed parameters ([sources](../equipment.md#items)): "
+CAUTION = ("Synthetic motions, and mostly assumed parameters of a class of items ([sources](../equipment.md#items)): "
            "[not for a make, a site or attachments](methods.md#what-it-must-not-be-used-for).")
 
 
@@ -64,12 +64,12 @@ def decisions(advice, names):
 
 
 def overview(advice, names):
-    lines = ["| item | moves 1 m, brakes off | moves 1 m, on | overturns, on | overturns, locked | what to do |",
+    lines = ["| item | moves 1 m, brakes off | moves 1 m, on | overturns, on | overturns, locked | |",
              "| --- | --- | --- | --- | --- | --- |"]
     columns = [("off", "moved 1 m"), ("on", "moved 1 m"), ("on", "overturned"), ("locked", "overturned")]
     for item, name in names.items():
         cells = " | ".join(advice.words(item, *column) for column in columns)
-        lines.append(f"| [{name}]({item}.md) | {cells} | {advice.line(item)} |")
+        lines.append(f"| [{name}]({item}.md) | {cells} | {ACTIONS[advice.action(item)].lower()} |")
     return lines
 
 
@@ -83,13 +83,6 @@ def overview_page(advice, names):
             *overview(advice, names), ""]
 
 
-def best_and_second(row):
-    if not row["best"]:
-        return "none"
-    mark = "†" if much_better(row) else ""
-    return f"{row['best']}{mark} ({row['second']})" if row["second"] else row["best"] + mark
-
-
 def overturned_cell(rows):
     """On an open floor an item hits only the floor, when it overturns: hits are stated where they differ from that."""
     overturned = cell(rows["overturned"])
@@ -99,16 +92,15 @@ def overturned_cell(rows):
 
 def item_table(catalogue, item, place):
     limits = MOVED + (HIT if place == "bay" else []) + ["overturned"]
-    lines = ["| floor | brakes | " + " | ".join(limits) + " | best measure (second) |",
-             "| --- " * (3 + len(limits)) + "|"]
+    lines = ["| floor | brakes | " + " | ".join(limits) + " |", "| --- " * (2 + len(limits)) + "|"]
     for floor in catalogue.floors:
         for brakes in SETTINGS:
             rows = {limit: catalogue.rows[item, floor, place, brakes, limit] for limit in MOVED + HIT + ["overturned"]}
             cells = [cell(rows[limit]) for limit in limits]
             if place == "open":
                 cells[-1] = overturned_cell(rows)
-            cells.append(best_and_second(catalogue.measure_of[item, floor, place, brakes]))
-            lines.append(f"| {floor.removesuffix(' building')} | {brakes} | " + " | ".join(cells) + " |")
+            mark = "†" if much_better(catalogue.measure_of[item, floor, place, brakes]) else ""
+            lines.append(f"| {floor.removesuffix(' building')} | {brakes}{mark} | " + " | ".join(cells) + " |")
     return lines
 
 
@@ -180,7 +172,7 @@ def item_page(catalogue, advice, item, sheet):
         f"[Shares of the variance](methods.md#record-parameters-chaos) at a PGV of 0.8 m/s, {WHERE[0]}:", "",
         *variance_table(catalogue, item), "",
         *wrapped(constants_line(catalogue, item) + " [Method](methods.md#what-to-measure-first)."), "",
-        *wrapped("Best predictors of the peak displacement (configurations): "
+        *wrapped("Best predictors of the peak displacement (configurations; [all](data/measures.csv)): "
                  f"{best_measures(catalogue, item)}."), ""]
 
 

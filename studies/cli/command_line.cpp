@@ -78,7 +78,7 @@ struct Group {
 
 /// In the order of the help.
 const Group kGroups[] = {
-    {"Simulate", {add_run, add_check, add_replay, add_new}},
+    {"Simulate", {add_run, add_check, add_replay, add_workbench, add_new}},
     {"Look at one run", {add_show, add_explain, add_play, add_plot}},
     {"Analyse studies",
      {add_report, add_fragility, add_compare, add_measures, add_sensitivity, add_export}},

@@ -138,6 +138,7 @@ AddCommand add_show;         ///< what a results file holds
 AddCommand add_status;       ///< of shards while they run
 AddCommand add_submit;       ///< writes a script for a scheduler
 AddCommand add_verify;       ///< the engine against closed-form solutions
+AddCommand add_workbench;    ///< the page that runs jobs in a browser
 
 AddCommand add_records_convert;  ///< to Gurney's CSV or to AT2, processed on the way
 AddCommand add_records_floor;    ///< floor motions of a building

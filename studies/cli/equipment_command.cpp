@@ -48,13 +48,7 @@ int show(const ShownItem& options) {
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
   const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));
-  const ContactConstants& floor = equipment::floor_contact(loaded);
-  report::EquipmentFacts facts{loaded.model,   equipment::item_sheet(loaded.model, floor),
-                               floor,          item.description,
-                               item.variants,  loaded.assumptions,
-                               loaded.warnings};
-  for (std::string& finding : equipment::implausible(loaded.model))
-    facts.warnings.push_back(std::move(finding));
+  const report::EquipmentFacts facts = report::equipment_facts(item, loaded);
   if (!options.figure.empty())
     options.figure.write(figures::equipment_figure(facts), options.overwrite, true);
   print_findings(report::equipment_findings(facts, options.assumptions), options.json);

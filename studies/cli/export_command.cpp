@@ -67,10 +67,21 @@ void check_choice(const ExportOptions& options) {
 }
 
 void write_item(const ExportOptions& options, const study::TakeFile& take) {
-  const study::ItemBodies item =
-      study::item_bodies(equipment::load_item(data_file(equipment::DataKind::kItem, options.file),
-                                              {}, options.variants)
-                             .model);
+  const equipment::LoadedItem loaded = equipment::load_item(
+      data_file(equipment::DataKind::kItem, options.file), {}, options.variants);
+  std::vector<study::PartBody> parts;
+  for (const equipment::LoadedPart& part : loaded.parts)
+    parts.push_back(
+        {part.model.name, part.joint, chassis_with_payloads(part.model), part.model.shape});
+  for (const equipment::LoadedContent& content : loaded.contents)
+    parts.push_back({content.model.name,
+                     {},
+                     chassis_with_payloads(content.model),
+                     content.model.shape,
+                     content.pairs.front().constants.friction,
+                     content.yaw,
+                     content.position});
+  const study::ItemBodies item = study::item_bodies(loaded.model, std::move(parts));
   const std::string name = study::plain_identifier(fs::path(options.file).stem().string(), "item");
   if (options.format == "mjcf")
     take(name + ".xml", mjcf_text(item));

@@ -15,6 +15,7 @@
 #include "engine/base/parallel.h"
 #include "engine/config/unit_limit.h"
 #include "engine/run/run.h"
+#include "studies/analysis/study_data.h"
 #include "studies/build_info/build_info.h"
 #include "studies/explanation/explain.h"
 #include "studies/plan/study_job.h"
@@ -163,11 +164,21 @@ std::string job_of_log(const std::string& results) {
   return is_there(job) || !is_there(from_its_folder) ? job : from_its_folder.string();
 }
 
+std::string results_of_folder(const std::string& folder) {
+  const fs::path path = folder, name = path.has_filename() ? path : path.parent_path();
+  return (name.parent_path() / name.stem()).string();
+}
+
 std::string job_of_shards(const fs::path& folder) {
   if (!is_there(folder / "job")) return {};
   std::string path = study::file_bytes(folder / "job");
   while (path.ends_with('\n')) path.pop_back();
   return path;
+}
+
+std::string job_of_folder(const std::string& folder) {
+  const std::string job = job_of_shards(folder), results = results_of_folder(folder);
+  return job.empty() ? study::place_of_job(job_of_log(results), results) : job;
 }
 
 std::string why_not_there(const std::string& path) {

@@ -22,6 +22,11 @@ std::string job_of_log(const std::string& results);
 /// The job file that a folder of shards names; empty: none.
 std::string job_of_shards(const std::filesystem::path& folder);
 
+/// The results that the folder FILE.h5.parts, or FILE.h5.shards, will become; and the path of the job in such
+/// a folder, or in the log beside the results.
+std::string results_of_folder(const std::string& folder);
+std::string job_of_folder(const std::string& folder);
+
 /// Message on the job of results where nothing has its path: "does not exist any more", or why
 /// the system cannot look for it.
 std::string why_not_there(const std::string& path);

@@ -98,16 +98,22 @@ study::PartFolder::Start start_of(const RunOptions& options) {
   return options.overwrite ? study::PartFolder::Start::kReplace : study::PartFolder::Start::kNew;
 }
 
-/// The folder of all shards, with the path of the job for `gurney merge`.
-void make_shards_folder(const RunOptions& options, const Paths& paths) {
-  const fs::path folder = paths.parts.parent_path(), job = folder / "job";
-  std::error_code problem;
-  fs::create_directory(folder, problem);
-  require(!problem, folder.string() + ": cannot be created: " + problem.message());
+/// The path of the job, for those who read the folder beside this process.
+void keep_path_of_job(const RunOptions& options, const fs::path& folder) {
+  const fs::path job = folder / "job";
   if (is_there(job)) return;
   study::OutputFiles files(true);  // another shard may write the same at the same time
   files.stage(job.string(), fs::absolute(options.job).lexically_normal().string() + "\n");
   files.commit();
+}
+
+/// The folder of all shards, with the path of the job for `gurney merge`.
+void make_shards_folder(const RunOptions& options, const Paths& paths) {
+  const fs::path folder = paths.parts.parent_path();
+  std::error_code problem;
+  fs::create_directory(folder, problem);
+  require(!problem, folder.string() + ": cannot be created: " + problem.message());
+  keep_path_of_job(options, folder);
 }
 
 int finish_shard(const RunOptions& options, const study::Shard& shard,
@@ -161,6 +167,7 @@ int run_study(const RunOptions& options) {
   note_interruptions();  // from here on there is something to continue
   study::PartFolder folder(paths.parts, study::identity_of(batch), plan.tasks(), start_of(options),
                            shard);
+  if (options.shard.empty()) keep_path_of_job(options, folder.path());
   const study::CrashLog crashes(folder.path() / "crashes");
   for (const std::string& warning : job_warnings(batch.job)) print_error("warning: {}\n", warning);
   for (const std::string& warning : scale_warnings(batch)) print_error("warning: {}\n", warning);

@@ -5,6 +5,7 @@
 
 #include "studies/analysis/assessment.h"
 #include "studies/analysis/fitted_curve.h"
+#include "studies/cli/commands.h"
 #include "studies/picture/picture.h"
 #include "studies/units/unit_system.h"
 

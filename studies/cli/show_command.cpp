@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <string>
 
 #include "engine/base/error.h"
@@ -17,28 +16,12 @@
 namespace gurney::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct ShowOptions {
   std::string file, job;
   study::AssessmentRequest assessed_by;
   study::UnitSystem units;
   bool json = false;
 };
-
-/// The results that FILE.h5.parts, or .shards, will become.
-std::string results_of(const fs::path& folder) {
-  const fs::path name = folder.has_filename() ? folder : folder.parent_path();
-  return (name.parent_path() / name.stem()).string();
-}
-
-/// The path of the job in a folder of shards, or in the log beside the parts, which is written when a
-/// process ends.
-std::string job_of_folder(const fs::path& folder) {
-  const std::string job = job_of_shards(folder);
-  return job.empty() ? study::place_of_job(job_of_log(results_of(folder)), results_of(folder))
-                     : job;
-}
 
 /// Shows finished cases by a temporary results file. Its runs will have other
 /// numbers once the study is complete, so that none can be repeated yet.

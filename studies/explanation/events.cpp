@@ -126,6 +126,9 @@ void add_item(const std::string& name, const EquipmentModel& model, const ItemRe
     add_tipping(name, item.history, events);
   else
     add_lifts(name, model, item, events);
+  if (d.time_of_release >= 0)
+    events.push_back({d.time_of_release, EventKind::kReleased, name, "", 0});
+  if (d.time_of_fall >= 0) events.push_back({d.time_of_fall, EventKind::kFell, name, "", 0});
   if (d.time_of_overturning >= 0)
     events.push_back(
         {d.time_of_overturning, EventKind::kOverturned, name, "", d.direction_of_overturning});

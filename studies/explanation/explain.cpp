@@ -202,6 +202,10 @@ const char* stage_name(EventKind kind) {
       return "tips";
     case EventKind::kImpact:
       return "first impact";
+    case EventKind::kReleased:
+      return "latch lets go";
+    case EventKind::kFell:
+      return "falls";
     case EventKind::kPeakDisplacement:
       return "farthest";
     case EventKind::kPeakTilt:
@@ -345,6 +349,8 @@ const char* name_of(EventKind kind) {
                                     "impact",
                                     "taut",
                                     "unplugged",
+                                    "released",
+                                    "fell",
                                     "zone",
                                     "peak_displacement",
                                     "peak_tilt",

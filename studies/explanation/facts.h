@@ -25,6 +25,8 @@ enum class EventKind {
   kImpact,            ///< value: approach speed [m/s]
   kTaut,              ///< value: largest tension of the run [N]
   kUnplugged,         ///< or broken
+  kReleased,          ///< the latch of a part lets go
+  kFell,              ///< from what it stood on
   kZone,              ///< an item enters a zone
   kPeakDisplacement,  ///< value [m]
   kPeakTilt,          ///< value [rad]

@@ -79,8 +79,7 @@ class Variants {
     for (const int angle : {90, 180, 270}) {
       Variant& turned = add(fmt::format("turned by {} deg", angle),
                             fmt::format("Turning it by {} degrees", angle));
-      of(turned).initial.yaw += angle * kRadiansPerDegree;
-      move(turned);
+      move(turned, Vector2::Zero(), angle * kRadiansPerDegree);
     }
   }
 
@@ -100,8 +99,7 @@ class Variants {
     const double side = of_.hit->item == of_.subject ? 1 : -1;
     Vector2 away = side * of_.hit->normal.head<2>();
     if (away.norm() < 0.1) away = -of_.direction;
-    of(farther).initial.position.head<2>() += kFarther * away.normalized();
-    move(farther);
+    move(farther, kFarther * away.normalized(), 0);
     remove(without, other);
   }
 
@@ -144,7 +142,11 @@ class Variants {
 
   PlacedItem& of(Variant& variant) const { return variant.scene.items[of_.subject]; }
 
-  void move(Variant& variant) const {
+  /// The item, or what carries it, with all that hangs and stands on that.
+  void move(Variant& variant, const Vector2& by, double turn) const {
+    const std::size_t carrier = carrier_of(variant.scene, of_.subject);
+    const InitialMotion from = variant.scene.items[carrier].initial;
+    move_item(variant.scene, carrier, from.position + Vector3(by.x(), by.y(), 0), from.yaw + turn);
     lengthen_tethers(variant.scene, of_.subject);
     if (const std::string in = obstacle(variant.scene, of_.subject); !in.empty())
       variant.reason = "it would stand in " + in;

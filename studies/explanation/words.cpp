@@ -127,6 +127,10 @@ std::string sentence(const Event& event, const UnitSystem& units) {
       return fmt::format("{} gets taut (up to {})", event.part, units.fixed(event.value, "N", 0));
     case EventKind::kUnplugged:
       return fmt::format("{} breaks or unplugs", event.part);
+    case EventKind::kReleased:
+      return "its latch lets go";
+    case EventKind::kFell:
+      return "FALLS from what it stood on";
     case EventKind::kZone:
       return fmt::format("an item enters the zone {}", event.part);
     case EventKind::kPeakDisplacement:

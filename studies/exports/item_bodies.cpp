@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/error.h"
 #include "studies/exports/export.h"
 
 namespace gurney::study {
@@ -28,12 +29,13 @@ std::string own_name(const std::string& name, const std::string& otherwise,
 
 }  // namespace
 
-ItemBodies item_bodies(const EquipmentModel& item) {
+ItemBodies item_bodies(const EquipmentModel& item, std::vector<PartBody> parts) {
   ItemBodies bodies{plain_identifier(item.name, "item"),
                     chassis_with_payloads(item),
                     item.shape,
                     {},
-                    item.marked_points};
+                    item.marked_points,
+                    std::move(parts)};
   std::vector<std::string> taken{"floor", "chassis"};
   for (const Caster& caster : item.casters) {
     const std::string name = own_name(caster.name, "caster", taken);
@@ -42,6 +44,7 @@ ItemBodies item_bodies(const EquipmentModel& item) {
                               hinge_of(caster.swivel, caster.swivel_lock_torque, caster.swivels),
                               hinge_of(caster.axle, caster.brake_torque, true)});
   }
+  for (PartBody& part : bodies.parts) part.name = own_name(part.name, "part", taken);
   std::vector<std::string> points;
   for (MarkedPoint& point : bodies.points) point.name = own_name(point.name, "point", points);
   return bodies;
@@ -98,6 +101,79 @@ std::string mjcf_caster(const CasterBodies& bodies) {
          wheel_geom(bodies) + "        </body>\n      </body>\n";
 }
 
+std::string mjcf_boxes(const std::vector<Box>& shape, const std::string& more) {
+  std::string text;
+  for (const Box& box : shape)
+    text += fmt::format("      <geom class=\"item\" type=\"box\" pos=\"{}\" size=\"{}\"{}/>\n",
+                        numbers_text(box.center), numbers_text(box.size / 2), more);
+  return text;
+}
+
+/// The joint of a part; nothing where it holds.
+std::string mjcf_part_joint(const PartBody& part) {
+  const Joint& joint = *part.joint;
+  const auto element = [&](const std::string& suffix, const char* type, const Vector3& axis) {
+    std::string text = fmt::format(
+        "      <joint name=\"{}{}\" type=\"{}\" pos=\"{}\" axis=\"{}\" stiffness=\"{}\" "
+        "damping=\"{}\"",
+        part.name, suffix, type, numbers_text(joint.point), numbers_text(axis), joint.stiffness,
+        joint.damping);
+    if (joint.friction > 0) text += fmt::format(" frictionloss=\"{}\"", joint.friction);
+    if (joint.rest != 0) text += fmt::format(" springref=\"{}\"", joint.rest);
+    if (std::isfinite(joint.lower) || std::isfinite(joint.upper)) {
+      const auto end = [](double value) {
+        return std::isfinite(value) ? value : std::copysign(1e6, value);
+      };
+      text += fmt::format(" limited=\"true\" range=\"{} {}\"", end(joint.lower), end(joint.upper));
+    }
+    return text + "/>\n";
+  };
+  if (std::isinf(joint.latch)) return {};
+  switch (joint.kind) {
+    case Joint::Kind::kFixed:
+      return {};
+    case Joint::Kind::kHinge:
+      return element("_joint", "hinge", joint.axis);
+    case Joint::Kind::kSlider:
+      return element("_joint", "slide", joint.axis);
+    case Joint::Kind::kBall:
+      return element("_joint", "ball", joint.axis);
+    case Joint::Kind::kFlexible:
+      break;
+  }
+  const Vector3 across = joint.axis.unitOrthogonal();
+  return element("_bend_1", "hinge", across) +
+         element("_bend_2", "hinge", joint.axis.cross(across));
+}
+
+/// The parts that hang on the chassis (0) or on part i (i + 1), each with those on it.
+std::string mjcf_parts(const ItemBodies& item, std::size_t base) {
+  std::string text;
+  for (std::size_t i = 0; i < item.parts.size(); ++i) {
+    const PartBody& part = item.parts[i];
+    if (!part.joint || part.joint->base != base) continue;
+    text += fmt::format("      <body name=\"{}\">\n", part.name) + mjcf_part_joint(part) +
+            "      " + mjcf_inertial(part.body.mass, part.body.center_of_mass, part.body.inertia) +
+            mjcf_boxes(part.shape, "") + mjcf_parts(item, i + 1) + "      </body>\n";
+  }
+  return text;
+}
+
+std::string mjcf_contents(const ItemBodies& item) {
+  std::string text;
+  for (const PartBody& content : item.parts) {
+    if (content.joint) continue;
+    text += fmt::format(
+                "    <body name=\"{}\" pos=\"{}\" euler=\"0 0 {}\">\n      <freejoint/>\n      ",
+                content.name, numbers_text(content.origin), content.yaw) +
+            mjcf_inertial(content.body.mass, content.body.center_of_mass, content.body.inertia) +
+            mjcf_boxes(content.shape,
+                       fmt::format(" contype=\"1\" friction=\"{} 0 0\"", content.friction)) +
+            "    </body>\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string mjcf_text(const ItemBodies& item) {
@@ -112,14 +188,13 @@ std::string mjcf_text(const ItemBodies& item) {
       "    <body name=\"chassis\">\n      <freejoint/>\n      {}",
       item.name,
       mjcf_inertial(item.chassis.mass, item.chassis.center_of_mass, item.chassis.inertia));
-  for (const Box& box : item.shape)
-    text += fmt::format("      <geom class=\"item\" type=\"box\" pos=\"{}\" size=\"{}\"/>\n",
-                        numbers_text(box.center), numbers_text(box.size / 2));
+  text += mjcf_boxes(item.shape, "");
   for (const MarkedPoint& point : item.points)
     text += fmt::format("      <site name=\"{}\" pos=\"{}\"/>\n", point.name,
                         numbers_text(point.position));
   for (const CasterBodies& each : item.casters) text += mjcf_caster(each);
-  return text + "    </body>\n  </worldbody>\n</mujoco>\n";
+  text += mjcf_parts(item, 0);
+  return text + "    </body>\n" + mjcf_contents(item) + "  </worldbody>\n</mujoco>\n";
 }
 
 namespace {
@@ -175,6 +250,10 @@ std::string urdf_caster(const CasterBodies& bodies) {
 }  // namespace
 
 std::string urdf_text(const ItemBodies& item) {
+  require(item.parts.empty(),
+          item.name +
+              " has parts or contents, for which URDF has no friction, stops or "
+              "loose bodies; --to mjcf exports them");
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"chassis\">\n{}", item.name,
       urdf_inertial(item.chassis.mass, item.chassis.center_of_mass, item.chassis.inertia));

@@ -21,9 +21,11 @@ std::size_t thin_out(Panel& panel, std::size_t most) {
     Marks kept = each;
     kept.x.clear();
     kept.y.clear();
+    kept.runs.clear();
     for (std::size_t i = 0; i < each.x.size(); i += every) {
       kept.x.push_back(each.x[i]);
       kept.y.push_back(each.y[i]);
+      if (!each.runs.empty()) kept.runs.push_back(each.runs[i]);
     }
     each = std::move(kept);
   }
@@ -139,14 +141,25 @@ class Grid {
 }  // namespace
 
 std::string Chart::svg(const PlotPage& page) const {
-  std::vector<PlotPanel> drawn = panels;
+  Chart drawn = *this;
   std::size_t every = 1;
-  if (page.most_marks > 0)
-    for (PlotPanel& each : drawn) every = std::max(every, thin_out(each.panel, page.most_marks));
-  std::string about = note;
+  for (PlotPanel& each : drawn.panels) {
+    each.panel.overlaid = bool(each.overlay);
+    if (page.most_marks > 0) every = std::max(every, thin_out(each.panel, page.most_marks));
+  }
   if (every > 1)
-    about += fmt::format("; of many runs or records one in {} is drawn, lines and areas are of all",
-                         every);
+    drawn.note += fmt::format(
+        "; of many runs or records one in {} is drawn, lines and areas are of all", every);
+  if (!page.apart) return drawn.picture(page);
+  std::string all;
+  for (PlotPanel& each : drawn.panels) {
+    each.across = each.down = 1;
+    all += Chart{"", drawn.note, {each}}.picture(page);
+  }
+  return all;
+}
+
+std::string Chart::picture(const PlotPage& page) const {
   constexpr std::size_t kTitleLines = 2;
   const double space = page.width - 2 * kRight;
   std::vector<std::string> titles = lines_of(title, 1.08 * kTitleSize, space);
@@ -154,11 +167,12 @@ std::string Chart::svg(const PlotPage& page) const {
     titles.resize(kTitleLines);
     titles.back() += "\u2026";
   }
-  const std::vector<std::string> notes = lines_of(about, kNoteSize, space);
+  const std::vector<std::string> notes = lines_of(page.apart ? "" : note, kNoteSize, space);
   const auto size = [](const auto& lines) { return static_cast<double>(lines.size()); };
   const double head = 12 + 18 * size(titles) + kNoteLine * size(notes) + 4;
-  const Grid grid(drawn, columns, page.width);
+  const Grid grid(panels, columns, page.width);
   Svg svg(page.width, head + grid.height() + kNoteLine * size(footnotes) + 4);
+  if (page.apart) svg.describe(note);
   double y = 8;
   for (const std::string& line : titles)
     svg.text(kRight, y += 18, line, {.size = kTitleSize, .bold = true});

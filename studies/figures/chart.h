@@ -16,6 +16,7 @@ struct PlotPage {
   /// chosen; 0: all. The note says so.
   std::size_t most_marks = 0;
   study::UnitSystem units = {};  ///< of what does not bring its own
+  bool apart = false;            ///< a picture for each panel, described by the note
 };
 
 /// A panel as high as `aspect` times its width says, within bounds; with lanes and rows as they
@@ -39,6 +40,9 @@ struct Chart {
   std::vector<std::string> footnotes = {};
 
   std::string svg(const PlotPage& page = {}) const;
+
+ private:
+  std::string picture(const PlotPage& page) const;
 };
 
 /// Panels of one height.

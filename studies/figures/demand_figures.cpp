@@ -194,6 +194,7 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
     Marks& marks = run.overturned ? fell : stood;
     marks.x.push_back(im + offset);
     marks.y.push_back(run.overturned ? ceiling : demand);
+    marks.runs.push_back(run.run);
     stripes[im].push_back(run.overturned ? std::numeric_limits<double>::infinity() : demand);
   }
   Curve median{
@@ -215,6 +216,7 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
   }
   panel.curves.push_back(std::move(median));
   panel.areas.push_back(std::move(band));
+  stood.name = of.name;
   panel.marks.push_back(std::move(stood));
   if (fell.x.empty()) return;
   fell.label = of.name.empty() ? "overturned" : of.name + ", overturned";
@@ -267,11 +269,13 @@ std::string cloud_figure(const PlotPage& page, const std::string& title,
       const auto points = points_of(runs, runs.configurations[i]);
       const Pen pen{.stroke = palette(i), .width = 0.9};
       Marks exact{"", {}, {}, pen, marker(i), 2.6}, bounds{"", {}, {}, pen, Marker::kCross, 3};
-      for (const statistics::CloudPoint& point : points) {
-        Marks& marks = point.known == Known::kExactly ? exact : bounds;
-        marks.x.push_back(point.im);
-        marks.y.push_back(point.edp);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        Marks& marks = points[k].known == Known::kExactly ? exact : bounds;
+        marks.x.push_back(points[k].im);
+        marks.y.push_back(points[k].edp);
+        marks.runs.push_back(runs.configurations[i].runs[k].run);
       }
+      exact.name = bounds.name = runs.configurations[i].name;
       panel.marks.insert(panel.marks.end(), {exact, bounds});
       add_fit(panel, points, runs.configurations[i].name, i);
       panel.curves.back().key = marker(i);

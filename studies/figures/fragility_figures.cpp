@@ -46,6 +46,7 @@ void add_curve(Panel& panel, const std::string& label, const std::vector<double>
 void add_fractions(Panel& panel, const std::vector<statistics::Stripe>& stripes, double fewest,
                    double unit, std::size_t color) {
   Marks marks{"", {}, {}, pen(color), marker(color), 3.5};
+  if (!panel.curves.empty()) marks.name = panel.curves.back().label;
   for (const statistics::Stripe& stripe : stripes) {
     if (stripe.runs <= 0 || stripe.runs < fewest) continue;
     marks.x.push_back(stripe.im / unit);

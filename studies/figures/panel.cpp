@@ -45,6 +45,8 @@ std::string escaped(const std::string& text) {
       result += "&lt;";
     } else if (c == '>') {
       result += "&gt;";
+    } else if (c == '"') {
+      result += "&quot;";
     } else {
       result += c;
     }
@@ -167,6 +169,7 @@ void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
     sizes.push_back(text_width(labels.back(), kSize) + 6);  // numbers side by side need air
   }
   const std::vector<bool> shown = labelled(at, px, sizes);
+  svg.begin_group({{"class", "ticks-x"}});
   for (std::size_t i = 0; i < at.size(); ++i) {
     svg.line(px[i], frame.y, px[i], bottom, kGrid);
     svg.line(px[i], bottom, px[i], bottom + kTick, kAxis);
@@ -174,6 +177,7 @@ void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
       svg.text(px[i], bottom + 15, labels[i], {.size = kSize, .anchor = Anchor::kMiddle});
   }
   if (panel.log_x) draw_minor_ticks(svg, frame, scaling, range, true);
+  svg.end_group();
   svg.text(frame.x + frame.width / 2, bottom + 31, axis_name(panel.x_label, panel.log_x),
            {.anchor = Anchor::kMiddle});
 }
@@ -195,6 +199,7 @@ void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
     widest = std::max(widest, text_width(labels.back(), kSize));
   }
   const std::vector<bool> shown = labelled(at, px, std::vector<double>(at.size(), kSize));
+  svg.begin_group({{"class", "ticks-y"}});
   for (std::size_t i = 0; i < at.size(); ++i) {
     svg.line(frame.x, px[i], frame.x + frame.width, px[i], kGrid);
     svg.line(frame.x - kTick, px[i], frame.x, px[i], kAxis);
@@ -202,6 +207,10 @@ void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
       svg.text(frame.x - 7, px[i] + 3.5, labels[i], {.size = kSize, .anchor = Anchor::kEnd});
   }
   if (panel.log_y) draw_minor_ticks(svg, frame, scaling, range, false);
+  if (panel.zero_line && range.low < 0 && range.high > 0)
+    svg.line(frame.x, scaling.y(0), frame.x + frame.width, scaling.y(0),
+             {.stroke = "#999999", .width = 0.8});
+  svg.end_group();
   const std::string name = axis_name(panel.y_label, panel.log_y);
   const double left = std::clamp(widest + 14, 34.0, 52.0);
   svg.text(frame.x - left, frame.y + frame.height / 2,
@@ -270,9 +279,6 @@ void draw_axes(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& 
     draw_y_axis(svg, frame, panel, scaling, y);
   else
     draw_rows(svg, frame, panel);
-  if (panel.rows.empty() && panel.zero_line && y.low < 0 && y.high > 0)
-    svg.line(frame.x, scaling.y(0), frame.x + frame.width, scaling.y(0),
-             {.stroke = "#999999", .width = 0.8});
 }
 
 /// Pieces of the curve between values that are not finite; points closer than a third of a px to
@@ -327,6 +333,48 @@ void draw_area(Svg& svg, const Area& area, const Scaling& scaling) {
   svg.polyline(outline, {.stroke = "", .fill = area.color, .opacity = area.opacity}, true);
 }
 
+void draw_curves(Svg& svg, const Panel& panel, const Scaling& scaling) {
+  for (const Curve& curve : panel.curves) {
+    if (!curve.label.empty()) svg.begin_group({{"data-name", curve.label}});
+    for (const Svg::Points& piece : pieces(curve, scaling)) svg.polyline(piece, curve.pen);
+    if (!curve.label.empty()) svg.end_group();
+  }
+}
+
+void draw_marks(Svg& svg, const Panel& panel, const Scaling& scaling) {
+  for (const Marks& marks : panel.marks) {
+    std::string runs;
+    const auto is_drawn = [&](std::size_t i) {
+      return std::isfinite(marks.x[i]) && std::isfinite(marks.y[i]);
+    };
+    for (std::size_t i = 0; i < marks.runs.size(); ++i)
+      if (is_drawn(i)) runs += fmt::format("{}{}", runs.empty() ? "" : " ", marks.runs[i]);
+    svg.begin_group({{"class", "marks"},
+                     {"data-name", marks.label.empty() ? marks.name : marks.label},
+                     {"data-runs", runs}});
+    for (std::size_t i = 0; i < marks.x.size(); ++i)
+      if (is_drawn(i)) draw_marker(svg, scaling.x(marks.x[i]), scaling.y(marks.y[i]), marks);
+    svg.end_group();
+  }
+}
+
+/// What a page needs to state values and to zoom: the frame [px] and the ranges of the axes, as
+/// log10 where they are of decades.
+std::vector<std::pair<std::string, std::string>> axes_data(const Frame& frame, const Panel& panel,
+                                                           const Range& x, const Range& y) {
+  const bool fixed = panel.overlaid || panel.equal_scales || !panel.rows.empty() ||
+                     !panel.spans.empty() || !panel.guides.empty();
+  return {{"class", "axes"},
+          {"data-frame",
+           fmt::format("{:.2f} {:.2f} {:.2f} {:.2f}", frame.x, frame.y, frame.width, frame.height)},
+          {"data-x", fmt::format("{:.9g} {:.9g}", x.low, x.high)},
+          {"data-y", fmt::format("{:.9g} {:.9g}", y.low, y.high)},
+          {"data-log", fmt::format("{:d} {:d}", panel.log_x, panel.log_y)},
+          {"data-x-name", panel.x_label},
+          {"data-y-name", panel.y_label},
+          {"data-fixed", fmt::format("{:d}", fixed)}};
+}
+
 }  // namespace
 
 Svg::Svg(double width, double height) : width_(width), height_(height) {
@@ -374,7 +422,18 @@ void Svg::begin_clip(double x, double y, double width, double height) {
       clips_, x, y, width, height);
 }
 
-void Svg::end_clip() { body_ += "</g>\n"; }
+void Svg::begin_group(const std::vector<std::pair<std::string, std::string>>& attributes) {
+  body_ += "<g";
+  for (const auto& [name, value] : attributes)
+    body_ += fmt::format(" {}=\"{}\"", name, escaped(value));
+  body_ += ">\n";
+}
+
+void Svg::end_group() { body_ += "</g>\n"; }
+
+void Svg::describe(const std::string& text) {
+  body_ = "<desc>" + escaped(text) + "</desc>\n" + body_;
+}
 
 std::string Svg::str() const {
   return fmt::format(
@@ -431,19 +490,19 @@ Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
   if (!(x.span() > 0)) x = padded(x);
   if (panel.equal_scales) equalise(frame, x, y);
   const Scaling scaling(frame, x, y);
+  svg.begin_group(axes_data(frame, panel, x, y));
   draw_spans(svg, frame, panel, scaling);
   draw_axes(svg, frame, panel, scaling, x, y);
   svg.begin_clip(frame.x, frame.y, frame.width, frame.height);
+  svg.begin_group({{"class", "view"}});
   for (const Area& area : panel.areas) draw_area(svg, area, scaling);
   draw_bars(svg, panel, scaling);
-  for (const Curve& curve : panel.curves)
-    for (const Svg::Points& piece : pieces(curve, scaling)) svg.polyline(piece, curve.pen);
-  svg.end_clip();
+  draw_curves(svg, panel, scaling);
+  svg.end_group();
+  svg.end_group();
   svg.rectangle(frame.x, frame.y, frame.width, frame.height, kAxis);
-  for (const Marks& marks : panel.marks)
-    for (std::size_t i = 0; i < marks.x.size(); ++i)
-      if (std::isfinite(marks.x[i]) && std::isfinite(marks.y[i]))
-        draw_marker(svg, scaling.x(marks.x[i]), scaling.y(marks.y[i]), marks);
+  draw_marks(svg, panel, scaling);
+  svg.end_group();
   draw_guides(svg, frame, panel, scaling);
   draw_head(svg, frame, panel);
   return scaling;

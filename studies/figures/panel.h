@@ -39,9 +39,16 @@ class Svg {
   void polyline(const Points& points, const Pen& pen, bool closed = false);
   void text(double x, double y, const std::string& text, const TextStyle& style = {});
 
-  /// Later marks are drawn inside this rectangle only, until end_clip().
+  /// Later marks are drawn inside this rectangle only, until end_group().
   void begin_clip(double x, double y, double width, double height);
-  void end_clip();
+
+  /// Later marks belong together, until end_group(); a page reads the attributes.
+  /// @param attributes  names, which must be plain, and values of any text
+  void begin_group(const std::vector<std::pair<std::string, std::string>>& attributes);
+  void end_group();
+
+  /// Says what the picture shows; it is not drawn.
+  void describe(const std::string& text);
 
   std::string str() const;
 
@@ -93,7 +100,9 @@ struct Marks {
   std::vector<double> x, y;
   Pen pen;  ///< without a fill: white inside
   Marker marker = Marker::kCircle;
-  double radius = 3;  ///< [px]
+  double radius = 3;                   ///< [px]
+  std::string name = {};               ///< of what they are, on a page; empty: the label
+  std::vector<std::size_t> runs = {};  ///< of which each is; empty: of none
 };
 
 /// A line in a colour of palette().
@@ -167,6 +176,7 @@ struct Panel {
   std::vector<Bar> bars = {};    ///< below the curves
   std::vector<Span> spans = {};  ///< below all
   std::vector<Guide> guides = {};
+  bool overlaid = false;  ///< something else is drawn over the axes, which pages then do not zoom
 };
 
 /// Where in the picture a panel stands: the rectangle of its axes, without labels [px].

@@ -137,8 +137,8 @@ void draw_marker(Svg& svg, double x, double y, const Marks& marks) {
       svg.polyline({{x, y - wide}, {x - wide, y}, {x, y + wide}, {x + wide, y}}, pen, true);
       break;
     case Marker::kCross:
-      svg.line(x - r, y - r, x + r, y + r, stroke);
-      svg.line(x - r, y + r, x + r, y - r, stroke);
+      svg.polyline({{x - r, y - r}, {x + r, y + r}, {x, y}, {x - r, y + r}, {x + r, y - r}},
+                   stroke);
       break;
   }
 }

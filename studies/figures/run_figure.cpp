@@ -359,7 +359,7 @@ void draw_plan(Svg& svg, const Frame& frame, const Scaling& in_unit, const Scene
     plan.text(top_of(explanation::footprint(zone)), 11, zone.name,
               {.size = 9, .anchor = Anchor::kMiddle, .color = "#225577"});
   draw_scale_bar(svg, frame, in_unit, unit);
-  svg.end_clip();
+  svg.end_group();
   if (!alone) draw_legend(svg, plan, frame, scene, response, units);
 }
 

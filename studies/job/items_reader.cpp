@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -231,6 +232,22 @@ std::map<std::string, int> read_payloads(Table& item,
   return counts;
 }
 
+/// A list of names of parts or contents of the item; empty without the key.
+template <class Part>
+std::optional<std::vector<std::string>> read_known(Table& item, const char* key,
+                                                   const std::vector<Part>& parts,
+                                                   const equipment::ItemDescription& description) {
+  if (!item.has(key)) return {};
+  std::vector<std::string> known;
+  for (const Part& part : parts) known.push_back(part.name);
+  std::vector<std::string> names = item.texts(key, true);
+  for (const std::string& name : names)
+    if (std::ranges::find(known, name) == known.end())
+      item.note(key, fmt::format(" = \"{}\": {} has none of this name{}", name, description.name,
+                                 config::suggestion(name, known)));
+  return names;
+}
+
 /// A table [item] or [[item]] of a job. Errors are noted in the document; then the description
 /// and options are not for use.
 /// @param remarks  on options that reach no caster, or not all
@@ -247,7 +264,8 @@ equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
   if (described) result.set(&JobItem::description, *std::move(found));
   read_casters(item, result);
   if (!described) {
-    for (const char* key : {"headings_deg", "brakes", "swivel_locks", "payloads"})
+    for (const char* key :
+         {"headings_deg", "brakes", "swivel_locks", "payloads", "locked_parts", "contents"})
       item.set_aside(key);
     return result;
   }
@@ -256,8 +274,13 @@ equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
     note_keys_of_casters(item, description);
   else
     read_caster_options(in, result, remarks);
-  result.add([counts = read_payloads(item, description)](JobItem& of_draw, equipment::Sampler&) {
+  result.add([counts = read_payloads(item, description),
+              locked = read_known(item, "locked_parts", description.parts, description),
+              contents = read_known(item, "contents", description.contents, description)](
+                 JobItem& of_draw, equipment::Sampler&) {
     of_draw.options.payloads = counts;
+    of_draw.options.locked_parts = locked;
+    of_draw.options.contents = contents;
   });
   return result;
 }
@@ -513,9 +536,11 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
 }
 
 bool has_a_place(const std::string& line, const equipment::ItemDescription& description) {
-  return std::ranges::any_of(description.casters, [&](const equipment::CasterPlace& caster) {
-    return !caster.where.empty() && line.starts_with(caster.where);
-  });
+  const auto begins_with = [&](const auto& part) {
+    return !part.where.empty() && line.starts_with(part.where);
+  };
+  return std::ranges::any_of(description.casters, begins_with) ||
+         std::ranges::any_of(description.contents, begins_with);
 }
 
 /// Errors in how an item is put together: at its casters, else where the job names it.
@@ -539,6 +564,9 @@ void place(JobItem item, const ItemStep& step, JobParts& job, equipment::Sampler
       for (const MaterialPair& pair : loaded.pairs)
         job.item_contacts[step.index].push_back(pair.constants);
     placed.model = std::move(loaded.model);
+    JobParts::Unfolded& unfolded = job.unfolded[step.index];
+    unfolded.parts = std::move(loaded.parts);
+    unfolded.contents = std::move(loaded.contents);
     for (const std::string& warning : loaded.warnings)
       job.warnings.push_back(step.several ? placed.name + ": " + warning : warning);
     add_assumptions(job.assumptions, loaded.assumptions);
@@ -574,6 +602,7 @@ std::vector<Table> read_items(Table& root, equipment::UniqueNames& names, JobRea
   job.add([item_names = read_names(tables, names)](JobParts& of_draw, equipment::Sampler&) {
     of_draw.scene.items.resize(std::max<std::size_t>(1, item_names.size()));
     of_draw.item_contacts.resize(of_draw.scene.items.size());
+    of_draw.unfolded.resize(of_draw.scene.items.size());
     for (std::size_t i = 0; i < item_names.size(); ++i) of_draw.scene.items[i].name = item_names[i];
   });
   const std::size_t errors = root.document().errors();
@@ -585,8 +614,66 @@ std::vector<Table> read_items(Table& root, equipment::UniqueNames& names, JobRea
   return root.document().errors() == errors ? tables : std::vector<Table>{};
 }
 
+void unfold_items(JobReading& job) {
+  job.add([](JobParts& of_draw, equipment::Sampler&) {
+    Scene& scene = of_draw.scene;
+    const std::size_t count = of_draw.unfolded.size();
+    of_draw.owners.clear();
+    for (std::size_t i = 0; i < count; ++i) of_draw.owners.push_back(i);
+    const auto add = [&](std::size_t owner, const EquipmentModel& model) -> PlacedItem& {
+      PlacedItem& added = scene.items.emplace_back();
+      added.name = scene.items[owner].name + "/" + model.name;
+      added.model = model;
+      of_draw.owners.push_back(owner);
+      return added;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      JobParts::Unfolded& unfolded = of_draw.unfolded[i];
+      unfolded.first = scene.items.size();
+      const auto body = [&](std::size_t number) {
+        return number == 0 ? i : unfolded.first + number - 1;
+      };
+      for (const equipment::LoadedPart& part : unfolded.parts) {
+        Joint joint = part.joint;
+        joint.base = body(joint.base);
+        joint.part = scene.items.size();
+        add(i, part.model);
+        scene.joints.push_back(joint);
+        of_draw.item_contacts.push_back(of_draw.item_contacts[i]);
+      }
+      for (const equipment::LoadedContent& content : unfolded.contents) {
+        add(i, content.model).on =
+            Support{Support::Kind::kItem, body(content.on), content.position.z()};
+        std::vector<ContactConstants>& own = of_draw.item_contacts.emplace_back();
+        for (const MaterialPair& pair : content.pairs) own.push_back(pair.constants);
+      }
+    }
+  });
+}
+
+void place_unfolded(JobReading& job) {
+  job.add([](JobParts& of_draw, equipment::Sampler&) {
+    Scene& scene = of_draw.scene;
+    for (std::size_t i = 0; i < of_draw.unfolded.size(); ++i) {
+      const PlacedItem& owner = scene.items[i];
+      std::size_t next = of_draw.unfolded[i].first;
+      for (std::size_t k = 0; k < of_draw.unfolded[i].parts.size(); ++k)
+        scene.items[next++].initial = owner.initial;
+      for (const equipment::LoadedContent& content : of_draw.unfolded[i].contents) {
+        PlacedItem& placed = scene.items[next++];
+        placed.initial = owner.initial;
+        const Vector2 from = Eigen::Rotation2Dd(owner.initial.yaw) * content.position.head<2>();
+        placed.initial.position.head<2>() += from;
+        placed.initial.yaw += content.yaw;
+        placed.initial.velocity += Vector3(-from.y(), from.x(), 0) * owner.initial.yaw_rate;
+        if (owner.on) placed.on->height = content.position.z() + owner.on->height;
+      }
+    }
+  });
+}
+
 void read_acting_at_top(Table& root, JobReading& job) {
-  const bool several = job.stated().scene.items.size() > 1;
+  const bool several = job.stated().unfolded.size() > 1;
   equipment::Uncertain<PlacedItem> only;
   if (auto excitation = root.table("excitation")) {
     read_loads(*excitation, only);

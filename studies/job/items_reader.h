@@ -13,6 +13,11 @@ namespace gurney::study {
 std::vector<config::Table> read_items(config::Table& root, equipment::UniqueNames& names,
                                       JobReading& job);
 
+/// Adds the parts and contents of each item to the scene, after the items, named `item/part`.
+void unfold_items(JobReading& job);
+/// Places them as their items stand when all that is read.
+void place_unfolded(JobReading& job);
+
 /// Loads, fixture and start of the only item of a job, where they stand at the top of the job:
 /// [[excitation.force]] and the other loads, [fixture], [initial]. In a job of several items each
 /// is an error.

@@ -28,9 +28,10 @@ namespace gurney::study {
 namespace {
 
 /// Notes each item that stands in another one or in the room.
-/// @param positions  where they are stated, as Scene::items
-void check_overlaps(const std::vector<config::Spot>& positions, const Scene& scene,
+/// @param positions  where the items of the job are stated
+void check_overlaps(const std::vector<config::Spot>& positions, const JobParts& job,
                     equipment::Sampler& of) {
+  const Scene& scene = job.scene;
   if (scene.items.size() == 1 && scene.room.empty()) return;
   for (const Overlap& overlap : find_overlaps(scene)) {
     const bool item = overlap.other_item >= 0;
@@ -38,7 +39,7 @@ void check_overlaps(const std::vector<config::Spot>& positions, const Scene& sce
     const std::size_t later = item ? static_cast<std::size_t>(overlap.other_item) : overlap.item;
     const std::string& other = item ? scene.items[overlap.item].name
                                     : scene.room[static_cast<std::size_t>(overlap.shape)].name;
-    of.error(positions[later],
+    of.error(positions[job.owners[later]],
              fmt::format(": '{}' stands {:.0f} mm deep in '{}'", scene.items[later].name,
                          overlap.depth * kMillimetersPerMeter, other));
   }
@@ -244,6 +245,7 @@ JobReading read(config::Document& document) {
   equipment::RoomNames names;
   read_job_room(root, names, job);
   std::vector<Table> items = read_items(root, names.shapes, job);
+  unfold_items(job);
   read_tethers(root, job);
   if (auto table = root.table("excitation")) {
     job.add([record = read_record_request(*table)](JobParts& of_draw, equipment::Sampler&) {
@@ -257,11 +259,12 @@ JobReading read(config::Document& document) {
   note_wheels_roll(root, items, job);
   furnish(root, items, job);
   read_supports(items, job);
+  place_unfolded(job);
   if (document.clean()) {
     std::vector<config::Spot> positions;
     for (const Table& item : items) positions.push_back(item.spot("position_m"));
     job.add(document, [positions](JobParts& of_draw, equipment::Sampler& of) {
-      if (of.clean()) check_overlaps(positions, of_draw.scene, of);
+      if (of.clean()) check_overlaps(positions, of_draw, of);
       if (of.clean())
         for (std::string& warning : warnings_of_zones(of_draw.scene))
           of_draw.warnings.push_back(std::move(warning));

@@ -8,6 +8,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/contact_table.h"
 #include "equipment/catalogue/floor_covering.h"
+#include "equipment/catalogue/load_item.h"
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/uncertainty.h"
 #include "studies/job/job.h"
@@ -42,6 +43,13 @@ struct JobParts : Job {
   std::optional<equipment::FloorCovering> covering;
   equipment::RoomDescription room;
   std::vector<equipment::MaterialContact> usual_contacts;
+  /// What hangs and stands on each item of the job, and where it is in the scene, after these.
+  struct Unfolded {
+    std::vector<equipment::LoadedPart> parts;
+    std::vector<equipment::LoadedContent> contents;
+    std::size_t first = 0;  ///< index in Scene::items of the first part
+  };
+  std::vector<Unfolded> unfolded;  ///< one for each item of the job
   /// Each item's own: against anything, and last against the floor; empty: none.
   std::vector<std::vector<ContactConstants>> item_contacts;
 };

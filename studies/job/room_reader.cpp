@@ -70,6 +70,11 @@ std::vector<Surface> surfaces_of(JobParts& job) {
     PlacedItem& item = job.scene.items[i];
     const std::vector<ContactConstants>& own = job.item_contacts[i];
     std::string& material = item.model.material;
+    if (joint_of(job.scene, i) && material.empty()) {  // a part of its chassis' material
+      surfaces.push_back(surfaces[job.owners[i]]);
+      material = surfaces.back().name;
+      continue;
+    }
     if (material.empty()) material = kUsualItem;
     Surface surface{material, material};
     if (!own.empty()) {
@@ -82,7 +87,7 @@ std::vector<Surface> surfaces_of(JobParts& job) {
   return surfaces;
 }
 
-/// @param spots  where each item is described
+/// @param spots  where each item of the job is described
 void add_pairs(const std::vector<config::Spot>& spots, JobParts& job, equipment::Sampler& of) {
   const Scene& scene = job.scene;
   PairList pairs(job);
@@ -90,11 +95,11 @@ void add_pairs(const std::vector<config::Spot>& spots, JobParts& job, equipment:
   const auto add = [&](std::size_t i, const Surface& one, const Surface& other,
                        const std::string& other_name) {
     if (pairs.add(one, other)) return;
-    of.error(spots[i],
+    of.error(spots[job.owners[i]],
              fmt::format(": no [[room.contact]] for the materials '{}' of {} and '{}' of {}",
                          one.known, scene.items[i].name, other.known, other_name));
   };
-  for (std::size_t i = 0; i < spots.size(); ++i) {
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
     Surface foot = surfaces[i];
     if (foot.own != nullptr) foot.own = &job.item_contacts[i].back();
     add(i, foot, {scene.floor_material, scene.floor_material}, "the floor");
@@ -343,8 +348,8 @@ void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
   std::vector<config::Spot> spots;
   for (Table& item : items) spots.push_back(description_spot(item));
   const equipment::RoomDescription& room = job.stated().room;
-  const bool more = spots.size() > 1 || !room.shapes.empty() || !room.zones.empty() ||
-                    !job.stated().scene.tethers.empty();
+  const bool more = job.stated().scene.items.size() > 1 || !room.shapes.empty() ||
+                    !room.zones.empty() || !job.stated().scene.tethers.empty();
   if (more && job.stated().settings.solver != Solver::kImplicit)
     if (auto settings = root.table("settings"))
       settings->note("solver",

@@ -55,6 +55,7 @@ struct Event {
 };
 constexpr std::array kEvents = {Event{"overturned", Quantity::Of::kItem, "time_of_overturning", 0},
                                 Event{"fell", Quantity::Of::kItem, "time_of_fall", 0},
+                                Event{"released", Quantity::Of::kItem, "time_of_release", 0},
                                 Event{"impact", Quantity::Of::kItem, "impacts", 0},
                                 Event{"lifted", Quantity::Of::kItem, "most_wheels_lifted", 0},
                                 Event{"entered", Quantity::Of::kZone, "time_of_entry", 0},

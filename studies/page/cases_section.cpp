@@ -84,9 +84,10 @@ Html all_cases(const std::vector<CaseColumn>& columns, const std::string& replay
 Section study_cases(const StudyPage& page) {
   const std::vector<CaseColumn> columns = case_columns(page.data);
   const CaseColumn& peak = columns[columns.size() - 3];  // before tilt and outcome
-  return {
-      "cases", "Runs",
-      extreme_cases(columns, peak) + all_cases(columns, "gurney replay " + shell_word(page.path))};
+  // Runs of an unfinished study will have other numbers.
+  const std::string replay =
+      page.unfinished.empty() ? "gurney replay " + shell_word(page.path) : "";
+  return {"cases", "Runs", extreme_cases(columns, peak) + all_cases(columns, replay)};
 }
 
 }  // namespace gurney::page

@@ -2,12 +2,16 @@
 
 #include <map>
 
+#include "embedded/chart_js.h"
 #include "embedded/page_css.h"
 #include "embedded/page_html.h"
 #include "embedded/page_js.h"
 
 namespace gurney::page {
 namespace {
+
+/// The browser loads the page again, and keeps its place.
+constexpr const char* kAgain = "<meta http-equiv=\"refresh\" content=\"3\">\n";
 
 /// The text with each `{{name}}` of it replaced; what is put in is not looked at again.
 std::string filled(std::string_view text,
@@ -37,10 +41,12 @@ std::string html(const Document& document) {
                     subtitle = escaped(document.subtitle).code,
                     program = escaped(document.program).code;
   return filled(embedded::page_html, {{"title", title},
+                                      {"again", document.again ? kAgain : ""},
                                       {"subtitle", subtitle},
                                       {"program", program},
                                       {"style", embedded::page_css},
                                       {"script", embedded::page_js},
+                                      {"charts", embedded::chart_js},
                                       {"contents", contents.code},
                                       {"sections", body.code}});
 }

@@ -19,6 +19,7 @@ struct Document {
   std::string subtitle;
   std::vector<Section> sections;  ///< those without content are left out
   std::string program;            ///< that wrote the page
+  bool again = false;             ///< loads itself again, since it is written again
 };
 
 /// The page, which needs no other file.

@@ -29,25 +29,57 @@ std::string with_own_ids(const std::string& svg, const std::string& name) {
   return result;
 }
 
-}  // namespace
+/// The text of the element of this name, and the picture without it.
+std::string take(std::string& svg, const std::string& tag) {
+  const std::string open = "<" + tag + ">", close = "</" + tag + ">\n";
+  const std::size_t at = svg.find(open), end = svg.find(close);
+  if (at == std::string::npos || end == std::string::npos) return {};
+  const std::string text = svg.substr(at + open.size(), end - at - open.size());
+  svg.erase(at, end + close.size() - at);
+  return text;
+}
 
-Html html(const Drawing& drawing) {
-  const std::string title = drawing.name + "-title", about = drawing.name + "-about";
-  std::string svg = with_own_ids(drawing.svg, drawing.name);
+/// One picture. Its own description, such as what its lines and areas are, ends the caption.
+Html figure(const Drawing& drawing, std::string svg, const std::string& name,
+            const std::string& caption) {
+  const std::string title = name + "-title", about = name + "-about";
+  const std::string note = take(svg, "desc");
+  svg = with_own_ids(svg, name);
   const std::size_t end = svg.find('>');
   const Html names = element("title", drawing.caption, {{"id", title}}) +
                      element("desc", drawing.description, {{"id", about}});
   svg.insert(end + 1, "\n" + names.code);
   svg.insert(4,
              " role=\"img\" aria-labelledby=\"" + title + "\" aria-describedby=\"" + about + "\"");
-  const Html link = element("a", "Save as SVG",
-                            {{"class", "save"},
-                             {"href", "#" + drawing.name + "-figure"},
-                             {"download", drawing.name + ".svg"}});
-  return element("figure",
-                 element("div", Html{svg}, {{"class", "paper"}}) +
-                     element("figcaption", escaped(drawing.caption + " ") + link),
-                 {{"id", drawing.name + "-figure"}});
+  const Html link =
+      element("a", "Save as SVG",
+              {{"class", "save"}, {"href", "#" + name + "-figure"}, {"download", name + ".svg"}});
+  Html words = escaped(caption.empty() ? "" : caption + " ");
+  if (!note.empty() && !caption.empty()) words += Html{"Key: " + note + ". "};
+  return element(
+      "figure",
+      element("div", Html{svg}, {{"class", "paper"}}) + element("figcaption", words + link),
+      {{"id", name + "-figure"}});
+}
+
+}  // namespace
+
+Html html(const Drawing& drawing) {
+  const std::string end = "</svg>\n";
+  Html all;
+  std::size_t from = 0;
+  for (std::size_t count = 1, to; from < drawing.svg.size(); from = to, ++count) {
+    const std::size_t at = drawing.svg.find(end, from);
+    to = at == std::string::npos ? drawing.svg.size() : at + end.size();
+    all += figure(drawing, drawing.svg.substr(from, to - from),
+                  count == 1 ? drawing.name : drawing.name + "-" + std::to_string(count),
+                  count == 1 ? drawing.caption : "");
+  }
+  return all;
+}
+
+Html side_by_side(const Html& figures) {
+  return figures.empty() ? figures : element("div", figures, {{"class", "figures"}});
 }
 
 }  // namespace gurney::page

@@ -29,7 +29,9 @@ Document document_of(const StudyPage& page) {
                                 counted(overview.configurations.size(), "configuration"),
                                 counted(overview.file.motions.size(), "record")),
                     {},
-                    program()};
+                    program(),
+                    !page.unfinished.empty()};
+  if (document.again) document.subtitle += ". UNFINISHED: " + page.unfinished;
   for (const auto section : {study_summary, study_design, study_outcomes, study_fragility,
                              study_demands, study_sensitivity, study_zones, study_cases,
                              study_failures, study_time_step, study_records, study_methods})
@@ -68,6 +70,7 @@ std::vector<report::SensitivityReport> sensitivities_of(const study::StudyData& 
 StudyPage::StudyPage(const PageRequest& request)
     : path(request.file),
       job(request.job),
+      unfinished(request.unfinished),
       overview(study::study_overview(path, request.assessed_by, request.units)),
       data(path, request.assessed_by, {}, request.units),
       fragilities(study::fragilities_of(data)) {

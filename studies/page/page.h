@@ -19,6 +19,8 @@ struct PageRequest {
   std::optional<explanation::Explanation> explanation{};  ///< of one run
   findings::Section narrative{};                          ///< of one run; empty: not explained
   std::string no_explanation{};                           ///< why there is none
+  /// How much of a study is finished, which is still running: the page loads itself again. Empty: all
+  std::string unfinished{};
 };
 
 /// The report of a results file, or of the JSON of a calibration or a verification, as one HTML page.

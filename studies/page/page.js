@@ -37,9 +37,6 @@
     const table = button && button.closest("table");
     if (table && table.id !== "cases-all") sort(table, button.parentNode);
   });
-  addEventListener("beforeprint", () => {
-    for (const each of document.querySelectorAll("details")) each.open = true;
-  });
 
   const source = document.getElementById("cases-data");
   if (!source) return;
@@ -111,7 +108,8 @@
   });
   body.addEventListener("click", (event) => {
     const row = event.target.closest("button") && event.target.closest("tr");
-    if (row) $("cases-command").textContent = `${replay} ${row.cells[0].textContent}`;
+    if (row)
+      $("cases-command").textContent = replay ? `${replay} ${row.cells[0].textContent}` : "can be repeated once the study is complete";
   });
   $("cases-back").addEventListener("click", () => { page -= 1; draw(); });
   $("cases-on").addEventListener("click", () => { page += 1; draw(); });

@@ -65,7 +65,8 @@ std::string short_hashes(const std::vector<std::string>& files) {
 /// The suite at the highest level, of the first configuration that was run.
 Html spectra_of(const StudyPage& page) {
   constexpr int kPeriods = 26;
-  const figures::PlotPage small{.most_marks = 8, .units = page.overview.units};
+  const figures::PlotPage small{
+      .width = kNarrow, .most_marks = 8, .units = page.overview.units, .apart = true};
   std::size_t first = 0;
   while (first + 1 < page.data.configurations().size() && page.data.runs_of(first).empty()) ++first;
   try {
@@ -73,10 +74,10 @@ Html spectra_of(const StudyPage& page) {
         page.data, {.job = page.job, .level = {}, .configurations = {first}, .periods = kPeriods});
     const bool scaled = std::ranges::any_of(suites.front().records,
                                             [](const auto& record) { return record.factor != 1; });
-    return html(Drawing{"spectra",
-                        figures::spectra_figure(small, "", suites, {scaled ? "scaled" : "records"}),
-                        "Response spectra of the records with their median, 16 and 84 % fractiles.",
-                        "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."});
+    return side_by_side(html(Drawing{
+        "spectra", figures::spectra_figure(small, "", suites, {scaled ? "scaled" : "records"}),
+        "Response spectra of the records with their median, 16 and 84 % fractiles.",
+        "Pseudo-acceleration over the period, 5 % damping, on logarithmic axes."}));
   } catch (const Error& error) {
     return paragraph(std::string("No spectra: ") + error.what());
   }
@@ -120,7 +121,13 @@ Section study_records(const StudyPage& page) {
     table.add(std::move(row));
     for (const std::string& each : motion.warnings) warnings.push_back(motion.name + ": " + each);
   }
-  Html content = html(table) + spectra_of(page);
+  constexpr std::size_t kShown = 12;
+  const Html of_records = html(table);
+  Html content = spectra_of(page) + (table.rows.size() > kShown
+                                         ? folded(counted(table.rows.size(), "record") +
+                                                      ": files, factors and intensity measures",
+                                                  of_records)
+                                         : of_records);
   if (!warnings.empty())
     content += folded(counted(warnings.size(), "warning") + " on records", list(warnings));
   return {"records", "Records", content};

@@ -167,13 +167,13 @@ Section histories(const RunFile& run) {
     if (history.series.empty() || history.time.empty()) continue;
     std::string id = std::string("history-") + name;
     std::ranges::replace(id, '_', '-');
-    figures +=
-        html(Drawing{id, figures::history_figure({.units = run.units}, "", "", {history}),
-                     figures::label_of(name) + " over time.",
-                     fmt::format("{} over {:.4g} seconds.", counted(history.series.size(), "curve"),
-                                 history.time.back())});
+    figures += html(Drawing{
+        id, figures::history_figure({.width = kNarrow, .units = run.units}, "", "", {history}),
+        figures::label_of(name) + " over time.",
+        fmt::format("{} over {:.4g} seconds.", counted(history.series.size(), "curve"),
+                    history.time.back())});
   }
-  return {"histories", "Histories", figures};
+  return {"histories", "Histories", side_by_side(figures)};
 }
 
 Section tables(const RunFile& run) {

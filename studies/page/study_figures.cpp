@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxDemands = 3, kMaxHistories = 2000;
 
 figures::PlotPage paper_of(const StudyPage& page) {
-  return {.most_marks = kMaxMarks, .units = page.overview.units};
+  return {.width = kNarrow, .most_marks = kMaxMarks, .units = page.overview.units, .apart = true};
 }
 
 /// The peak displacement, and the demands of items that limit states ask for.
@@ -74,7 +74,7 @@ std::vector<Kind> kinds_for(const study::StudyData& data) {
   const study::IntensityPlan& plan = data.study().intensity;
   if (plan.kind == study::IntensityPlan::Kind::kIda) return {kIda, kCloud};
   if (plan.levels.size() + static_cast<std::size_t>(plan.more_stages) > 1)
-    return {kDistributions, kStripes, kIda};
+    return {kStripes, kDistributions};
   return {kDistributions, kCloud};
 }
 
@@ -104,20 +104,25 @@ Section study_demands(const StudyPage& page) {
     if (all.empty()) continue;
     items = std::max(
         items, study::demands_named(data, drawn_configurations(data).front(), {demand}).size());
-    figures += element("h3", figures::label_of(demand));
+    Html of_demand;
     for (const Kind& kind : kinds_for(data)) {
       std::string name = fmt::format("{}-{}", kind.name, demand);
       std::ranges::replace(name, '_', '-');
-      figures +=
+      of_demand +=
           html(Drawing{name, kind.draw(paper_of(page), "", all),
                        figures::label_of(demand) + ": " + kind.caption + ".", kind.description});
     }
+    const std::string title = figures::label_of(demand);
+    figures += figures.empty() ? element("h3", title) + side_by_side(of_demand)
+                               : folded(title, side_by_side(of_demand));
   }
   const study::StoredHistories histories(page.path);
   const std::size_t kept = histories.names().empty() ? 0 : histories.runs().size();
   if (kept > 0 && kept <= kMaxHistories)
     figures += element("h3", "Paths") +
-               html(Drawing{"paths", figures::trajectory_figure(paper_of(page), page.path),
+               html(Drawing{"paths",
+                            figures::trajectory_figure(
+                                {.most_marks = kMaxMarks, .units = page.overview.units}, page.path),
                             "Paths of the items seen from above, each from its start.",
                             fmt::format("Paths of {}.", counted(kept, "run"))});
   return {"demands", "Demands", left_out(page, items) + figures};

@@ -40,11 +40,11 @@ Html figure_of_curves(const StudyPage& page) {
     if (configurations.size() <= kMaxConfigurations) drawn.push_back(each);
   }
   if (drawn.empty()) return {};
-  Html figure = html(Drawing{
-      "fragility", figures::fragility_figure(page.data, drawn, {.most_marks = kMaxMarks}),
-      "Fragility curves with 95 % confidence bands, where there are enough records; a panel "
-      "for each limit state.",
-      "Probability of exceedance over intensity; the table has medians and dispersions."});
+  const figures::PlotPage paper{.width = kNarrow, .most_marks = kMaxMarks, .apart = true};
+  Html figure = side_by_side(html(
+      Drawing{"fragility", figures::fragility_figure(page.data, drawn, paper),
+              "Fragility curves with 95 % confidence bands, where there are enough records.",
+              "Probability of exceedance over intensity; the table has medians and dispersions."}));
   if (configurations.size() > kMaxConfigurations)
     figure += paragraph(fmt::format(
         "The figure draws the first {} of {} configurations. Others: gurney fragility {} "
@@ -61,7 +61,7 @@ Html notes_of(const StudyPage& page) {
       page.fragilities, study::report_unit(page.data, page.fragilities.front().measure));
   if (all.empty()) return {};
   return element("h3", "Notes on the curves") +
-         (all.size() > 12 ? folded(counted(all.size(), "note"), list(all)) : list(all));
+         (all.size() > 3 ? folded(counted(all.size(), "note"), list(all)) : list(all));
 }
 
 Html performance_of(const StudyPage& page) {

@@ -19,7 +19,8 @@ namespace gurney::page {
 struct StudyPage {
   explicit StudyPage(const PageRequest& request);
 
-  std::string path, job;  ///< job: path of its file; empty: not known
+  std::string path, job;   ///< job: path of its file; empty: not known
+  std::string unfinished;  ///< as in PageRequest
   study::StudyOverview overview;
   study::StudyData data;
   std::vector<study::FragilityResult> fragilities;  ///< states of a configuration together
@@ -27,6 +28,9 @@ struct StudyPage {
   std::optional<JobScene> scene;  ///< of the first configuration
   std::string no_scene;           ///< why there is none
 };
+
+/// Width of a figure that stands beside others [px].
+inline constexpr double kNarrow = 430;
 
 /// What a page draws of a study at most; it says so where there is more.
 inline constexpr std::size_t kMaxConfigurations = 6, kMaxItems = 4, kMaxMarks = 1500;

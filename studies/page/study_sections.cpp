@@ -38,10 +38,13 @@ Section study_summary(const StudyPage& page) {
     }
     tiles += tile(percent(exceeded, runs), "of runs: " + overview.states[i].name);
   }
+  findings::Section answers;
+  answers.add(report::answers_of(overview, page.data, page.fragilities));
+  answers.add(report::compared_answers(overview, page.data));
   return {"summary", "At a glance",
-          html(report::study_findings(overview, page.data, page.fragilities)) +
-              figure_of_curves(page) + element("ul", tiles, {{"class", "key"}}) +
-              html(report::energy_findings(overview))};
+          html(answers) + figure_of_curves(page) +
+              caution_box(report::cautions_of(overview, page.data, page.fragilities)) +
+              element("ul", tiles, {{"class", "key"}}) + html(report::energy_findings(overview))};
 }
 
 Section study_design(const StudyPage& page) {

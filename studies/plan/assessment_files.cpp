@@ -129,6 +129,10 @@ SiteHazard read_hazard_file(const std::string& path) {
               "own: schema = \"gurney-hazard/1\", openquake = \"FILE.csv\", component = "
               "\"RotD50\"");
   config::Document document(path);
+  return read_site_hazard(document);
+}
+
+SiteHazard read_site_hazard(config::Document& document) {
   config::Table root = root_of(document, "gurney-hazard/1");
   if (root.has("openquake")) return read_openquake(root);
   const ScalingTarget target = read_scaling_target(root);

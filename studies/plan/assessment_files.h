@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/config/document.h"
 #include "studies/limit_states/limit_state.h"
 #include "studies/statistics/hazard.h"
 
@@ -30,6 +31,7 @@ struct SiteHazard {
 
 /// @throws Error with all errors, each with file:line:column
 SiteHazard read_hazard_file(const std::string& path);
+SiteHazard read_site_hazard(config::Document& document);
 
 /// A hazard curve of OpenQuake's `hazard_curve-mean-PGA_12.csv`, as its points.
 struct OpenQuakeHazard {

@@ -1,14 +1,16 @@
-// The motion of the floor over time, with the time shown as a line.
+// The motion of the floor and of the items over time, with the time shown as a line.
 
 const kGraphLeft = 62;
 const kGraphRight = 14;
 const kAxisColors = [['x', '#0072B2', '#5cb3e8'], ['y', '#D55E00', '#ff8b3d'], ['z', '#7a7a7a', '#9a9a9a']];
 
 class Graph {
-  constructor(canvas, run, end) {
+  /// @param colors  of the items
+  constructor(canvas, run, end, colors) {
     this.canvas = canvas;
     this.run = run;
     this.end = end;
+    this.colors = colors.map(cssColor);
     this.still = document.createElement('canvas');
   }
 
@@ -30,14 +32,9 @@ class Graph {
     const pen = this.still.getContext('2d');
     pen.scale(scale, scale);
     pen.font = '11px system-ui, sans-serif';
-    const half = (this.height - 18) / 2;
-    if (this.run.floorMoves) {
-      this.panel(pen, 2, half - 6, this.run.floorAcceleration, 'm/s²', this.named('floor acceleration'));
-      this.panel(pen, half + 4, half - 6, this.run.floorDisplacement.map((v) => v.map((d) => 1000 * d)), 'mm', this.named('floor displacement'));
-    } else {
-      pen.fillStyle = this.ink;
-      pen.fillText('The floor is at rest, or the file does not hold its motion.', kGraphLeft + 6, half);
-    }
+    const panels = this.panels();
+    const height = (this.height - 18) / panels.length;
+    panels.forEach((panel, i) => this.panel(pen, 2 + i * height, height - 5, panel));
     this.timeAxis(pen);
   }
 
@@ -46,9 +43,22 @@ class Graph {
     return this.run.name ? `${text}, ${this.run.name}` : text;
   }
 
-  panel(pen, top, height, curves, units, name) {
-    const largest = Math.max(1e-9, ...curves.map((values) => values.reduce((m, v) => Math.max(m, Math.abs(v)), 0)));
-    const y = (v) => top + height / 2 - (v / largest) * (height / 2 - 2);
+  panels() {
+    const axes = (vector, factor) => vector.map((values, axis) => ({
+      values: values.map((v) => factor * v), name: kAxisColors[axis][0], color: kAxisColors[axis][this.dark ? 2 : 1] }));
+    const items = (of) => this.run.items.map((item, i) => ({ values: of(item), name: item.name, color: this.colors[i] }));
+    const floor = !this.run.floorMoves ? [] : [
+      { name: 'floor acceleration', units: 'm/s²', curves: axes(this.run.floorAcceleration, 1) },
+      { name: 'floor displacement', units: 'mm', curves: axes(this.run.floorDisplacement, 1000) }];
+    return floor.concat([
+      { name: 'distance from the start', units: 'mm', positive: true, curves: items((item) => distanceOf(item).map((d) => 1000 * d)) },
+      { name: 'tilt', units: 'deg', positive: true, curves: items((item) => tiltOf(item).map((a) => (a * 180) / Math.PI)) }]);
+  }
+
+  panel(pen, top, height, { name, units, curves, positive }) {
+    const largest = Math.max(1e-9, ...curves.map(({ values }) => values.reduce((m, v) => Math.max(m, Math.abs(v)), 0)));
+    const zero = positive ? top + height - 2 : top + height / 2;
+    const y = (v) => zero - (v / largest) * (positive ? height - 4 : height / 2 - 2);
     pen.strokeStyle = this.dark ? '#3a414d' : '#d4d8de';
     pen.lineWidth = 1;
     pen.strokeRect(kGraphLeft, top, this.width - kGraphLeft - kGraphRight, height);
@@ -56,25 +66,36 @@ class Graph {
     pen.moveTo(kGraphLeft, y(0));
     pen.lineTo(this.width - kGraphRight, y(0));
     pen.stroke();
-    curves.forEach((values, axis) => this.curve(pen, values, y, kAxisColors[axis][this.dark ? 2 : 1]));
+    for (const { values, color } of curves) this.curve(pen, values, y, color);
     pen.fillStyle = this.ink;
     const tick = roundBelow(largest);
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
-    for (const v of [tick, 0, -tick]) pen.fillText(`${v === 0 ? '0 ' + units : v}`, kGraphLeft - 5, y(v));
+    const shown = largest > 1e-6 ? (positive ? [tick, 0] : [tick, 0, -tick]) : [0];
+    for (const v of height < 40 ? shown.slice(0, 2) : shown) pen.fillText(`${v === 0 ? '0 ' + units : v}`, kGraphLeft - 5, y(v));
+    this.words(pen, top, this.named(name), curves);
+  }
+
+  /// The words have a plate of their own, or the curves would run through them. Names that do not fit are
+  /// left out; the table beside has their colours.
+  words(pen, top, name, curves) {
     pen.textAlign = 'left';
-    // The words have a plate of their own, or the curves would run through them.
+    const words = [{ text: name, color: this.ink }];
+    let width = pen.measureText(name).width + 10;
+    for (const curve of this.width < 500 && curves.length > 3 ? [] : curves) {
+      width += pen.measureText(curve.name).width + 8;
+      if (width > this.width - kGraphLeft - kGraphRight - 10) break;
+      words.push({ text: curve.name, color: curve.color });
+    }
+    let x = kGraphLeft + 6;
     pen.globalAlpha = 0.85;
     pen.fillStyle = this.dark ? '#1c2027' : '#ffffff';
-    pen.fillRect(kGraphLeft + 2, top + 2, pen.measureText(name).width + 14 * kAxisColors.length + 10, 15);
+    pen.fillRect(x - 4, top + 2, words.reduce((sum, { text }) => sum + pen.measureText(text).width + 8, 2), 15);
     pen.globalAlpha = 1;
-    pen.fillStyle = this.ink;
-    pen.fillText(name, kGraphLeft + 6, top + 9);
-    let x = kGraphLeft + 14 + pen.measureText(name).width;
-    for (const [letter, light, dark] of kAxisColors) {
-      pen.fillStyle = this.dark ? dark : light;
-      pen.fillText(letter, x, top + 9);
-      x += 14;
+    for (const { text, color } of words) {
+      pen.fillStyle = color;
+      pen.fillText(text, x, top + 9);
+      x += pen.measureText(text).width + 8;
     }
   }
 
@@ -99,6 +120,7 @@ class Graph {
   }
 
   draw(time) {
+    if (!this.width) return;  // in a frame that is hidden
     const pen = this.canvas.getContext('2d');
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);

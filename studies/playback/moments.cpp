@@ -122,6 +122,17 @@ void add_items(const Hdf5Reader& file, std::vector<Moment>& all) {
   }
 }
 
+/// Latches that let go and items that fell: of a time of -1 none. Older files have neither.
+void add_times(const Hdf5Reader& file, const std::string& column, const std::string& kind,
+               const std::string& text, std::vector<Moment>& all) {
+  if (!file.has(column)) return;
+  const auto names = file.strings("/items/item");
+  const auto times = file.numbers(column);
+  file.require_length({column}, names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (times[i] >= 0) all.push_back({times[i], kind, names[i], text});
+}
+
 }  // namespace
 
 std::vector<Moment> moments(const study::Hdf5Reader& file, const RecordedRun& run) {
@@ -131,6 +142,8 @@ std::vector<Moment> moments(const study::Hdf5Reader& file, const RecordedRun& ru
   add_tethers(file, all);
   add_zones(file, all);
   add_items(file, all);
+  add_times(file, "/items/time_of_release", "released", "its latch lets go", all);
+  add_times(file, "/items/time_of_fall", "fell", "falls from what it stood on", all);
   std::ranges::stable_sort(all, {}, &Moment::time);
   return all;
 }

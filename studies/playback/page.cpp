@@ -11,6 +11,7 @@
 #include "embedded/recording_js.h"
 #include "embedded/renderer_js.h"
 #include "embedded/room_js.h"
+#include "embedded/saving_js.h"
 #include "embedded/shaders_js.h"
 #include "embedded/vectors_js.h"
 #include "embedded/widgets_js.h"
@@ -30,7 +31,7 @@ std::string playback_page(const std::vector<PageRun>& runs, const std::vector<Pa
   for (const std::string_view part :
        {embedded::vectors_js, embedded::recording_js, embedded::meshes_js, embedded::shaders_js,
         embedded::renderer_js, embedded::camera_js, embedded::room_js, embedded::graph_js,
-        embedded::widgets_js, embedded::player_js})
+        embedded::widgets_js, embedded::saving_js, embedded::player_js})
     script += part;
   std::string page(embedded::page_html);
   replace(page, "/*STYLE*/", embedded::playback_css);

@@ -22,10 +22,11 @@ class Player {
     const colors = this.runs[0].items.map((_, i) => kPalette[i % kPalette.length]);
     this.events = new EventList(this.runs, this.end, (time) => this.go(time));
     this.table = new ItemTable(this.runs, colors);
-    this.graph = new Graph(element('graph'), this.runs.reduce((a, b) => (b.end > a.end ? b : a)), this.end);
+    this.graph = new Graph(element('graph'), this.runs.reduce((a, b) => (b.end > a.end ? b : a)), this.end, colors);
     this.labels = new Labels();
     makeLegend(this.ghosts.length > 0);
     makeSwitches(this.shown, () => this.redraw());
+    this.saving = new Saving(this);
     this.connect();
     this.readLink();
     this.applyTheme();
@@ -90,6 +91,8 @@ class Player {
     click('top', () => this.setMode('top'));
     click('follow', () => this.setMode('follow'));
     click('ground', () => this.setFrame(this.frame === 'room' ? 'ground' : 'room'));
+    click('full', () => this.fullScreen());
+    element('full').hidden = !document.fullscreenEnabled;
     click('theme', () => { this.dark = !this.dark; this.applyTheme(); });
     for (const speed of kSpeeds) element('speed').append(made('option', `${speed}x`, { value: speed }));
     element('speed').addEventListener('change', () => { this.speed = Number(element('speed').value); });
@@ -134,11 +137,17 @@ class Player {
       2: () => this.setMode('top'),
       3: () => this.setMode('follow'),
       g: () => this.setFrame(this.frame === 'room' ? 'ground' : 'room'),
+      f: () => this.fullScreen(),
     };
     const act = acts[event.key] || acts[event.key.toLowerCase()];
     if (!act) return;
     event.preventDefault();
     act();
+  }
+
+  fullScreen() {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else if (document.fullscreenEnabled) document.documentElement.requestFullscreen();
   }
 
   redraw() {
@@ -248,6 +257,7 @@ class Player {
     element('overturned').hidden = !this.ghosts.length;
     element('overturned').textContent = this.overturnedText();
     if (this.renderer) this.drawRooms();
+    this.saving.drawn();
   }
 
   floorText() {
@@ -275,6 +285,7 @@ class Player {
       if (this.shown.labels) labels.push(...this.placed(scene.labels(at, offset), camera, i));
       if (scene.run.name) labels.push({ kind: 'run', text: scene.run.name, left: ((i + 0.5) * element('view').clientWidth) / this.scenes.length, top: 52 });
     });
+    this.placedLabels = labels;
     this.labels.draw(labels);
   }
 

@@ -14,10 +14,6 @@ namespace {
 
 using study::Hdf5Reader;
 
-bool has(const Hdf5Reader& file, const std::string& path) {
-  return std::ranges::any_of(file.datasets(), [&](const auto& each) { return each.path == path; });
-}
-
 /// A history, whose samples have `width` numbers each.
 class History {
  public:
@@ -146,7 +142,7 @@ void read_wheels(const Hdf5Reader& file, RecordedRun& run) {
 }
 
 void read_floor(const Hdf5Reader& file, RecordedRun& run) {
-  if (!has(file, "/histories/floor_acceleration")) return;
+  if (!file.has("/histories/floor_acceleration")) return;
   const std::size_t samples = run.time.size();
   const auto acceleration = History(file, "floor_acceleration", samples, 3).vectors(0);
   const auto displacement = History(file, "floor_displacement", samples, 3).vectors(0);
@@ -163,7 +159,7 @@ Vector3 vector_at(const Hdf5Reader& file, const std::string& name, std::size_t r
 }
 
 void read_places(const Hdf5Reader& file, RecordedRun& run) {
-  if (!has(file, "/zones/center_x") || !has(file, "/tethers/anchor_x")) return;
+  if (!file.has("/zones/center_x") || !file.has("/tethers/anchor_x")) return;
   const auto zones = file.strings("/zones/zone");
   const auto zone_number = [&](const char* name, std::size_t row) {
     return file.numbers(std::string("/zones/") + name).at(row);

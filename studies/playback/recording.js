@@ -101,6 +101,11 @@ function contactPoint(fork, wheel) {
   return add(center, scaled(down, wheel.radius));
 }
 
+/// Over all samples: how far the item is from where it began, and its tilt [m, rad].
+const distanceOf = ({ position: [x, y] }) => x.map((v, i) => Math.hypot(v - x[0], y[i] - y[0]));
+const tiltOf = ({ orientation: [w, x, y, z] }) =>
+  w.map((_, i) => Math.acos(Math.max(-1, Math.min(1, 1 - (2 * (x[i] ** 2 + y[i] ** 2)) / (w[i] ** 2 + x[i] ** 2 + y[i] ** 2 + z[i] ** 2)))));
+
 /// What the table shows of an item: displacement since the start, yaw and tilt [m, rad].
 function motionOf(item, at) {
   const pose = itemPose(item, at);

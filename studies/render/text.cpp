@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "engine/base/printable.h"
 #include "studies/render/render.h"
@@ -39,9 +40,85 @@ std::string more(std::size_t count, const std::string& indent) {
 struct Cells {
   Texts cells;
   bool right = true;
+  std::size_t most = std::string::npos;  ///< wide; longer texts are broken
 
-  std::size_t width() const { return width_of(*std::ranges::max_element(cells, {}, width_of)); }
+  std::size_t width() const {
+    return std::min(most, width_of(*std::ranges::max_element(cells, {}, width_of)));
+  }
 };
+
+/// Words in lines as wide as that, or as their longest word.
+Texts lines_of(const std::string& text, std::size_t width) {
+  if (width_of(text) <= width) return {text};
+  Texts lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.empty() && width_of(lines.back()) + 1 + width_of(word) <= width)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
+std::size_t width_of(const std::vector<Cells>& columns) {
+  std::size_t width = 0;
+  for (const Cells& of : columns) width += of.width() + 2;
+  return width - 2;
+}
+
+/// Breaks the widest texts until the columns fit, or all are narrow.
+void narrow(std::vector<Cells>& columns, std::size_t most) {
+  constexpr std::size_t kLeast = 22;
+  for (std::size_t i = 0; i < columns.size() && width_of(columns) > most; ++i) {
+    Cells& widest = *std::ranges::max_element(
+        columns, {}, [](const Cells& of) { return of.right ? 0 : of.width(); });
+    const std::size_t over = width_of(columns) - most, width = widest.width();
+    if (widest.right || width <= kLeast) return;
+    widest.most = std::max(kLeast, width - std::min(width, over));
+    std::size_t longest = 0;  // a word is not broken
+    for (const std::string& cell : widest.cells)
+      for (const std::string& line : lines_of(cell, widest.most))
+        longest = std::max(longest, width_of(line));
+    widest.most = longest;
+  }
+}
+
+/// Columns that stand beside each other, each time with the first of all.
+std::vector<std::vector<Cells>> blocks_of(const std::vector<Cells>& columns, std::size_t most) {
+  std::vector<std::vector<Cells>> blocks{{columns.front()}};
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    std::vector<Cells> with = blocks.back();
+    with.push_back(columns[i]);
+    if (blocks.back().size() > 1 && width_of(with) > most)
+      blocks.push_back({columns.front(), columns[i]});
+    else
+      blocks.back() = std::move(with);
+  }
+  return blocks;
+}
+
+std::string block_text(const std::vector<Cells>& columns, std::size_t headings,
+                       const std::string& indent) {
+  std::string all;
+  for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
+    std::vector<Texts> cells;
+    std::size_t high = 1;
+    for (const Cells& of : columns) {
+      cells.push_back(lines_of(of.cells[row], of.width()));
+      high = std::max(high, cells.back().size());
+    }
+    for (std::size_t at = 0; at < high; ++at) {
+      std::string line = indent;
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        line += (i == 0 ? "" : "  ") + padded(at < cells[i].size() ? cells[i][at] : "",
+                                              columns[i].width(), columns[i].right);
+      line.erase(line.find_last_not_of(' ') + 1);
+      all += (row < headings ? bold(line) : line) + "\n";
+    }
+  }
+  return all;
+}
 
 /// @param units_below  in a line of their own
 std::vector<Cells> cells_of(const Table& table, std::size_t rows, bool units_below) {
@@ -74,14 +151,12 @@ std::string table_text(const Table& table, const std::string& indent) {
       std::ranges::any_of(table.columns, [](const Column& of) { return !of.format.unit.empty(); }))
     columns = cells_of(table, rows, true);
   std::string all = table.title.empty() ? "" : indent + title_text(table.title) + "\n";
-  const std::size_t headings = columns.front().cells.size() - rows;
-  for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
-    std::string line = indent;
-    for (const Cells& of : columns)
-      line += (&of == &columns.front() ? "" : "  ") + padded(of.cells[row], of.width(), of.right);
-    line.erase(line.find_last_not_of(' ') + 1);
-    all += (row < headings ? bold(line) : line) + "\n";
-  }
+  const std::size_t headings = columns.front().cells.size() - rows,
+                    most = table_columns() - std::min(table_columns(), indent.size());
+  narrow(columns, most);
+  const auto blocks = blocks_of(columns, most);
+  for (const std::vector<Cells>& block : blocks)
+    all += (&block == &blocks.front() ? "" : "\n") + block_text(block, headings, indent);
   return all + more(table.rows.size() - rows, indent);
 }
 
@@ -92,7 +167,8 @@ std::string list_text(const List& list, const std::string& indent) {
     std::string text = "  " + printable(list.lines[shown]);
     lines += 1 + static_cast<std::size_t>(std::ranges::count(text, '\n'));
     if (shown > 0 && lines > list.most) break;
-    if (list.broken && indent.size() + width_of(text) > columns()) {
+    if ((list.broken || table_columns() != std::string::npos) &&
+        indent.size() + width_of(text) > columns()) {
       // Words behind a time stay behind it.
       const std::size_t first = text.find_first_not_of(' '), gap = text.find("  ", first);
       const std::size_t start = gap == std::string::npos ? first : gap + 2;

@@ -25,15 +25,28 @@ bool is_emphasised() {
 
 }  // namespace
 
-std::size_t columns() {
-  constexpr std::size_t kFewest = 40, kMost = 100;
-  std::size_t found = 0;
+namespace {
+
+constexpr std::size_t kFewest = 40;
+
+/// 0: not known.
+std::size_t stated_columns() {
   winsize window{};
-  if (const char* stated = std::getenv("COLUMNS"))
-    found = std::strtoul(stated, nullptr, 10);
-  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0)
-    found = window.ws_col;
+  if (const char* text = std::getenv("COLUMNS")) return std::strtoul(text, nullptr, 10);
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 ? window.ws_col : 0;
+}
+
+}  // namespace
+
+std::size_t columns() {
+  constexpr std::size_t kMost = 100;
+  const std::size_t found = stated_columns();
   return found == 0 ? kMost : std::clamp(found, kFewest, kMost);
+}
+
+std::size_t table_columns() {
+  const std::size_t found = stated_columns();
+  return found == 0 ? std::string::npos : std::max(found, kFewest);
 }
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {

@@ -8,6 +8,10 @@ namespace gurney::render {
 /// from 40 to 100, and 100 where the output is no terminal.
 std::size_t columns();
 
+/// How wide tables may be: as the terminal, or COLUMNS; npos where neither is known, as in files, whose
+/// lines are read by programs.
+std::size_t table_columns();
+
 /// Breaks a text between words at columns(); lines after the first start with `indent` blanks.
 /// @param used  columns before the first word
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used);

@@ -8,6 +8,7 @@
 #include "engine/base/units.h"
 #include "equipment/catalogue/caster_type.h"
 #include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/floor_covering.h"
 #include "equipment/catalogue/item_sheet.h"
 #include "equipment/catalogue/load_item.h"
@@ -185,7 +186,7 @@ Table items() {
     const equipment::LoadedItem item =
         equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
     const equipment::ItemSheet sheet =
-        equipment::item_sheet(item.model, equipment::floor_contact(item));
+        equipment::item_sheet(as_rigid(item), equipment::floor_contact(item));
     table.add({key, item.model.name, sheet.whole.mass, sheet.size.z(),
                sheet.stability.base / sheet.stability.height, sheet.stability.tilt,
                item.model.casters.size(), item.assumptions.size()});
@@ -301,6 +302,19 @@ Table buildings() {
 }
 
 }  // namespace
+
+EquipmentFacts equipment_facts(const equipment::ItemDescription& item,
+                               const equipment::LoadedItem& loaded) {
+  const ContactConstants& floor = equipment::floor_contact(loaded);
+  const EquipmentModel whole = as_rigid(loaded);
+  EquipmentFacts facts{whole,          equipment::item_sheet(whole, floor),
+                       floor,          item.description,
+                       item.variants,  loaded.assumptions,
+                       loaded.warnings};
+  for (std::string& finding : equipment::implausible(whole))
+    facts.warnings.push_back(std::move(finding));
+  return facts;
+}
 
 findings::Section equipment_findings(const EquipmentFacts& facts, bool with_assumptions) {
   Section all{"", facts.model.name};

@@ -6,6 +6,7 @@
 #include "engine/scene/contact_pair.h"
 #include "equipment/catalogue/assumption.h"
 #include "equipment/catalogue/item_sheet.h"
+#include "equipment/catalogue/load_item.h"
 #include "studies/findings/findings.h"
 
 namespace gurney::report {
@@ -20,6 +21,10 @@ struct EquipmentFacts {
   std::vector<equipment::Assumption> assumptions;
   std::vector<std::string> warnings;
 };
+
+/// Of an item as it is described, with what is implausible of it among the warnings.
+EquipmentFacts equipment_facts(const equipment::ItemDescription& item,
+                               const equipment::LoadedItem& loaded);
 
 /// Mass, inertia, support, tilt, wheel loads, resistance, every number that has no source.
 /// @param with_assumptions  people read them one by one

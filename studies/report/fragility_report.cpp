@@ -71,12 +71,6 @@ std::string status_text(const study::FragilityResult& result) {
   return result.cloud ? text(result.cloud->status) : "no demand above a limit";
 }
 
-/// Covariance of ln theta and ln beta.
-Eigen::Matrix2d covariance_of(const study::FragilityResult& result) {
-  if (result.by_cloud()) return result.cloud_covariance;
-  return result.capacities ? result.capacities->covariance : result.fit.cluster_covariance;
-}
-
 const char* method_name(const study::FragilityResult& result) {
   return result.by_cloud() ? "cloud" : result.capacities ? "capacities" : "stripes";
 }
@@ -146,7 +140,7 @@ void add_fit(const study::FragilityResult& result, const study::ReportUnit& unit
   all.json("theta_interval", few ? Value() : interval_of(result.band.theta, unit.in_si));
   all.json("beta_interval", few ? Value() : interval_of(result.band.beta));
   if (few) all.json("no_interval", study::few_records_text(result.audit));
-  const Eigen::Matrix2d c = covariance_of(result);
+  const Eigen::Matrix2d c = result.covariance();
   all.json("covariance_of_ln_theta_ln_beta",
            std::vector<Numbers>{{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}});
 }

@@ -44,9 +44,21 @@ std::string motion(const Demands& d, const UnitSystem& units) {
   return text;
 }
 
+/// How far a part moved on its joint; empty where it did not.
+std::string opening(const Demands& d, const UnitSystem& units) {
+  std::string text;
+  if (d.peak_travel >= kVisible) text = "opened by up to " + length(d.peak_travel, units);
+  if (d.peak_swing >= Predictability::kLeastTilt)
+    text = "swung by up to " + explanation::angle(d.peak_swing, units);
+  if (d.time_of_release >= 0)
+    text +=
+        fmt::format("{}its latch let go at {:.2f} s", text.empty() ? "" : "; ", d.time_of_release);
+  return text;
+}
+
 /// How an item left its place on what it stands on above the floor; empty where it did not.
 std::string sliding(const Demands& d, const UnitSystem& units) {
-  std::string text;
+  std::string text = opening(d, units);
   if (d.peak_slide >= kVisible)
     text = "slid at most " + length(d.peak_slide, units) + " where it stood";
   if (d.time_of_fall >= 0)
@@ -325,7 +337,12 @@ std::string reason(const SettledDemand& demand) {
 
 /// "40 within 1 % and 3 within 5 %; NOT SETTLED: ...": demands of the item and of its marked points
 /// by name, those of wheels by their number.
-std::string settled_words(const std::vector<SettledDemand>& all, const EquipmentModel& model) {
+/// Without demands that the item has in none of the runs: a fall of one that stands on the floor.
+std::string settled_words(std::vector<SettledDemand> all, const EquipmentModel& model) {
+  std::erase_if(all, [](const SettledDemand& each) {
+    return std::isnan(each.number.value) && std::isnan(each.at_half_step) &&
+           std::isnan(each.of_twin);
+  });
   Texts counts, unsettled;
   for (const double fraction : SettledDemand::kFractions)
     if (const auto count = std::ranges::count(all, fraction, &SettledDemand::within); count > 0)

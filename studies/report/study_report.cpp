@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "engine/base/error.h"
+#include "studies/analysis/study_comparison.h"
 #include "studies/analysis/zone_occupancy.h"
 #include "studies/report/formats.h"
 
@@ -19,18 +23,22 @@ std::string subject_of(const study::StudyOverview& overview, const std::string& 
                                       : configuration;
 }
 
-/// "brakes on: overturned at a median PGV of 0.97 m/s (95 % of it 0.72 to 1.6)."
+/// "brakes on, overturned".
+std::string subject_of(const study::StudyOverview& overview, const study::FragilityResult& of) {
+  return (of.configuration.empty() ? "" : subject_of(overview, of.configuration) + ", ") + of.state;
+}
+
+/// "brakes on, overturned: median PGV of 0.97 m/s (95 % interval 0.72 to 1.6), dispersion 0.85."
 std::string headline(const study::StudyOverview& overview, const study::FragilityResult& of,
                      const study::ReportUnit& unit) {
-  const std::string subject =
-      (of.configuration.empty() ? std::string() : subject_of(overview, of.configuration) + ", ") +
-      of.state + ": ";
-  if (!of.curve()) return subject + study::no_curve_text(of, unit) + ".";
+  const std::string subject = subject_of(overview, of) + ": ";
   return fmt::format(
       "{}median {} of {:.3g}{} (95 % interval {}), dispersion {:.2f}.", subject, of.measure.name,
       of.curve()->theta / unit.in_si, unit.name == "1" ? "" : " " + unit.name,
       study::interval_text(of.band.theta, unit.in_si, 3, of.records), of.curve()->beta);
 }
+
+}  // namespace
 
 findings::Texts cautions_of(const study::StudyOverview& overview, const study::StudyData& data,
                             const std::vector<study::FragilityResult>& fragilities) {
@@ -76,21 +84,55 @@ findings::Texts cautions_of(const study::StudyOverview& overview, const study::S
   return all;
 }
 
-}  // namespace
-
 findings::List answers_of(const study::StudyOverview& overview, const study::StudyData& data,
                           const std::vector<study::FragilityResult>& fragilities) {
   findings::List answers{"", "Intensity at which a limit state is exceeded", {}};
-  for (const study::FragilityResult& each : fragilities)
-    answers.lines.push_back(headline(overview, each, study::report_unit(data, each.measure)));
+  std::vector<std::pair<std::string, findings::Texts>> without;  // a reason, and what it is of
+  for (const study::FragilityResult& each : fragilities) {
+    const study::ReportUnit unit = study::report_unit(data, each.measure);
+    if (each.curve()) {
+      answers.lines.push_back(headline(overview, each, unit));
+      continue;
+    }
+    const std::string reason = study::no_curve_text(each, unit);
+    auto same = std::ranges::find(without, reason, &std::pair<std::string, findings::Texts>::first);
+    if (same == without.end()) same = without.insert(same, {reason, {}});
+    same->second.push_back(subject_of(overview, each));
+  }
+  for (const auto& [reason, subjects] : without)
+    answers.lines.push_back(fmt::format("{}: {}.", fmt::join(subjects, "; "), reason));
   return answers;
 }
 
-findings::Section study_findings(const study::StudyOverview& overview, const study::StudyData& data,
-                                 const std::vector<study::FragilityResult>& fragilities) {
-  findings::Section all;
-  all.add(answers_of(overview, data, fragilities));
-  return std::move(all.list("", findings::kCautions, cautions_of(overview, data, fragilities)));
+findings::List compared_answers(const study::StudyOverview& overview,
+                                const study::StudyData& data) {
+  findings::List answers{"", "", {}};
+  if (overview.configurations.size() != 2) return answers;
+  study::StudyComparison found;
+  try {
+    found = study::compare_studies({&data, 0}, {&data, 1},
+                                   {.demands = {"peak_displacement"}, .resamples = 1});
+  } catch (const Error&) {
+    return answers;
+  }
+  if (found.pairs.group == study::RunPairs::Group::kNone) return answers;
+  answers.title =
+      fmt::format("{} instead of {}, over all intensities",
+                  subject_of(overview, overview.configurations[1]), overview.configurations[0]);
+  for (const study::ComparedQuantity& each : found.quantities) {
+    if (each.kind != study::ComparedQuantity::Kind::kShare) continue;
+    const bool shown = each.p_holm < 0.05;
+    answers.lines.push_back(fmt::format(
+        "{}: {:.3g} % of the runs instead of {:.3g} %, {} (95 % interval of the difference {:.3g} "
+        "to {:.3g} points, by {} {}, p = {:.2g}).",
+        each.name, 100 * each.b, 100 * each.a,
+        !shown                ? "which shows no difference"
+        : each.difference < 0 ? "less often"
+                              : "more often",
+        100 * each.interval.low, 100 * each.interval.high, each.groups,
+        found.pairs.group == study::RunPairs::Group::kRecord ? "records" : "draws", each.p_holm));
+  }
+  return answers;
 }
 
 findings::Table zone_findings(const study::StudyData& data) {

@@ -14,10 +14,14 @@ namespace gurney::report {
 findings::List answers_of(const study::StudyOverview& overview, const study::StudyData& data,
                           const std::vector<study::FragilityResult>& fragilities);
 
-/// The answers of a study: the median intensity of each limit state, or why there is none, and what
-/// a reader has to know before any number is used.
-findings::Section study_findings(const study::StudyOverview& overview, const study::StudyData& data,
-                                 const std::vector<study::FragilityResult>& fragilities);
+/// Which of two configurations exceeds the limit states less often, and how sure that is; empty
+/// where there are not two that share runs.
+findings::List compared_answers(const study::StudyOverview& overview,
+                                const study::StudyData& data);
+
+/// What a reader has to know before any number of a study is used.
+findings::Texts cautions_of(const study::StudyOverview& overview, const study::StudyData& data,
+                            const std::vector<study::FragilityResult>& fragilities);
 
 /// How often items stood in the zones of the room.
 findings::Table zone_findings(const study::StudyData& data);

@@ -332,6 +332,10 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& path) const {
   });
 }
 
+bool Hdf5Reader::has(const std::string& path) const {
+  return std::ranges::any_of(datasets_, [&](const Hdf5Dataset& each) { return each.path == path; });
+}
+
 void Hdf5Reader::require_length(const std::vector<std::string>& paths, std::uint64_t length) const {
   for (const std::string& path : paths) {
     const Hdf5Dataset& found = dataset(path);

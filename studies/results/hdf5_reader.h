@@ -32,6 +32,7 @@ class Hdf5Reader {
 
   const std::string& path() const { return path_; }
   std::vector<Hdf5Dataset> datasets() const { return datasets_; }  ///< in order of their paths
+  bool has(const std::string& dataset) const;
   std::vector<std::string> attributes() const;                     ///< names, of the file itself
   std::string text_attribute(const std::string& name) const;       ///< of the file itself
   std::int64_t whole_attribute(const std::string& name) const;     ///< of the file; 0: it has none

@@ -129,7 +129,7 @@ void remove_parts(const fs::path& folder) {
 
 bool is_own_name(const std::string& name) {
   if (name == "lock" || name == "study" || name == "crashes" || name == "results.h5") return true;
-  if (name.starts_with("study.part")) return true;
+  if (name.starts_with("study.part") || name == "job" || name == "job.part") return true;
   return name.size() >= 13 && all_digits(std::string_view(name).substr(0, 8)) &&
          (name.substr(8) == ".damaged" || name.substr(8).starts_with(".part"));
 }

@@ -19,7 +19,6 @@
 /// names its members once for both directions.
 
 namespace gurney::study {
-namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
@@ -107,8 +106,6 @@ template <class Archive>
 void visit(Archive& archive, Quaternion& q) {
   archive(q.w(), q.x(), q.y(), q.z());
 }
-
-}  // namespace
 
 template <class A>
 void visit(A& a, WheelDemands& d) {

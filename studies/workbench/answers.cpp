@@ -22,11 +22,10 @@
 #include "studies/results/results_file.h"
 #include "studies/statistics/bands.h"
 #include "studies/statistics/fragility.h"
+#include "studies/workbench/as_json.h"
 
 namespace gurney::workbench {
 namespace {
-
-const std::string kJob = std::string(kFolder) + "job.toml";
 
 Json entry(equipment::DataKind kind, const std::string& name) {
   config::Document file(equipment::find_data(kind, name, kJob));
@@ -40,96 +39,6 @@ Json entries(equipment::DataKind kind) {
   return all;
 }
 
-/// A job as it is written: what stands where in its text, so that a page can change it there.
-Json tree_of(const config::Node& node) {
-  using Kind = config::Node::Kind;
-  Json tree{{"line", node.place.line}, {"column", node.place.column}};
-  switch (node.kind) {
-    case Kind::kTable:
-      tree["keys"] = Json::object();
-      for (const config::Node& each : node.elements) {
-        tree["keys"][each.key] = tree_of(each);
-        tree["keys"][each.key]["key_line"] = each.key_place.line;
-      }
-      break;
-    case Kind::kArray:
-      tree["list"] = Json::array();
-      for (const config::Node& each : node.elements) tree["list"].push_back(tree_of(each));
-      break;
-    case Kind::kBoolean:
-      tree["value"] = node.boolean;
-      break;
-    case Kind::kInteger:
-    case Kind::kNumber:
-      tree["value"] = node.number;
-      break;
-    default:
-      tree["value"] = node.text;
-  }
-  return tree;
-}
-
-// Findings as people read them.
-
-Json shown(const findings::Section& section);
-
-Json shown(const findings::Fact& fact) {
-  if (fact.label.empty() || fact.value.is_missing()) return nullptr;
-  return {{"label", fact.label},
-          {"value", findings::with_unit(fact.value, fact.format)},
-          {"note", fact.note}};
-}
-
-Json shown(const findings::Table& table) {
-  Json all = Json::array();
-  for (const findings::Table& group : findings::groups_of(table)) {
-    Json columns = Json::array(), rows = Json::array();
-    for (const findings::Column& column : group.columns)
-      if (!column.label.empty())
-        columns.push_back({{"label", findings::heading(column)}, {"meaning", column.meaning}});
-    for (const auto& row : group.rows) {
-      Json cells = Json::array();
-      for (std::size_t i = 0; i < row.size(); ++i)
-        if (!group.columns[i].label.empty())
-          cells.push_back(findings::written(row[i].value, row[i].format_in(group.columns[i])));
-      rows.push_back(std::move(cells));
-    }
-    if (!columns.empty() && !rows.empty())
-      all.push_back({{"title", group.title}, {"columns", columns}, {"rows", rows}});
-  }
-  return all.empty() ? Json(nullptr) : Json({{"tables", all}});
-}
-
-Json shown(const findings::List& list) {
-  if (list.lines.empty() || (list.title.empty() && !list.key.empty())) return nullptr;
-  return {{"title", list.title}, {"lines", list.lines}};
-}
-
-Json shown(const findings::Sentence& sentence) { return {{"say", sentence.text}}; }
-
-Json shown(const findings::Section& section) {
-  Json parts = Json::array();
-  for (const findings::Part& part : section.parts) {
-    Json one =
-        std::visit([](const auto& each) { return shown(each); },
-                   static_cast<const std::variant<findings::Fact, findings::Table, findings::List,
-                                                  findings::Sentence, findings::Section>&>(part));
-    if (!one.is_null()) parts.push_back(std::move(one));
-  }
-  return parts.empty() ? Json(nullptr) : Json({{"title", section.title}, {"parts", parts}});
-}
-
-Json limit_states_of(const study::RunFacts& facts, const Response& response) {
-  Json all = Json::array();
-  const std::vector<study::LimitState> states = study::default_limit_states();
-  const study::Values values = study::values_of(facts.scene, response);
-  for (std::size_t i = 0; i < states.size(); ++i)
-    all.push_back({{"name", states[i].name},
-                   {"words", states[i].words},
-                   {"exceeded", study::exceeded(states, i, values)}});
-  return all;
-}
-
 Json pair(double x, double y) { return {x, y}; }
 
 /// Corners of a rectangle, anticlockwise.
@@ -137,6 +46,19 @@ Json rectangle(const Vector3& center, const Vector3& size) {
   const double x = size.x() / 2, y = size.y() / 2;
   return {pair(center.x() - x, center.y() - y), pair(center.x() + x, center.y() - y),
           pair(center.x() + x, center.y() + y), pair(center.x() - x, center.y() + y)};
+}
+
+/// The same of an item that starts as `of`, in the axes of one that starts as `from`.
+Json rectangle(const Vector3& center, const Vector3& size, const InitialMotion& of,
+               const InitialMotion& from) {
+  const Eigen::Rotation2Dd turn(of.yaw - from.yaw), back(-from.yaw);
+  Json corners = Json::array();
+  for (const auto& corner : rectangle(center, size)) {
+    const Vector2 at =
+        back * (of.position - from.position).head<2>() + turn * Vector2(corner[0], corner[1]);
+    corners.push_back(pair(at.x(), at.y()));
+  }
+  return corners;
 }
 
 Json outline_of(const RoomShape& shape) {
@@ -169,7 +91,14 @@ double horizontal_pga(const Vector3& pga) {
   return product > 0 ? std::sqrt(product) : std::max(pga.x(), pga.y());
 }
 
+std::optional<study::JobModel>& kept_model() {
+  static std::optional<study::JobModel> model;
+  return model;
+}
+
 }  // namespace
+
+void forget_files() { kept_model().reset(); }
 
 Json catalogue_answer() {
   using equipment::DataKind;
@@ -190,7 +119,15 @@ Json plan_answer(const std::string& job) {
   config::Document document(job, kJob);
   const study::Job read = study::read_job(document);
   Json items = Json::array(), room = Json::array();
-  for (const PlacedItem& item : read.scene.items) {
+  for (std::size_t i = 0; i < read.scene.items.size(); ++i) {
+    const PlacedItem& item = read.scene.items[i];
+    if (const std::size_t owner = read.owners[i];
+        owner != i) {  // a part or a content is drawn with its item
+      for (const Box& box : item.model.shape)
+        items[owner]["boxes"].push_back(
+            rectangle(box.center, box.size, item.initial, read.scene.items[owner].initial));
+      continue;
+    }
     Json boxes = Json::array(), wheels = Json::array();
     for (const Box& box : item.model.shape) boxes.push_back(rectangle(box.center, box.size));
     for (const Caster& caster : item.model.casters)
@@ -226,12 +163,22 @@ std::string headline_of(const study::RunFacts& facts, const Response& response) 
                      1000 * distance);
 }
 
+/// A page shows the narrative elsewhere.
+findings::Section without(findings::Section all, const findings::Texts& narrative) {
+  std::erase_if(all.parts, [&](const findings::Part& part) {
+    const auto* const section = std::get_if<findings::Section>(&part);
+    return section != nullptr && findings::lines_of(*section) == narrative;
+  });
+  return all;
+}
+
 Json run_answer(const std::string& job) {
   const bindings::FinishedRun run = bindings::run_job({kJob, job, {}, true});
   const findings::Section all = report::run_findings(run.facts, run.response);
+  const auto narrative = findings::lines_of(report::narrative(run.facts, run.response));
   Json answer{{"findings", Json::parse(render::json(all))},
-              {"shown", shown(all)},
-              {"narrative", findings::lines_of(report::narrative(run.facts, run.response))},
+              {"shown", shown(without(all, narrative))},
+              {"narrative", narrative},
               {"headline", headline_of(run.facts, run.response)},
               {"outcome", name_of(run.response.outcome)},
               {"cause", run.response.cause},
@@ -249,7 +196,7 @@ Json run_answer(const std::string& job) {
 
 Json case_answer(const std::string& job, std::size_t index) {
   static std::string text;
-  static std::optional<study::JobModel> model;
+  std::optional<study::JobModel>& model = kept_model();
   if (!model || text != job) {
     config::Document document(job, kJob);
     model.emplace(document);

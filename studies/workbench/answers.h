@@ -11,6 +11,10 @@ using Json = nlohmann::json;
 
 /// Folder in which the texts of jobs stand for files, beside the shipped ones: paths are seen from there.
 inline constexpr const char* kFolder = "/usr/share/gurney/studies/jobs/";
+inline const std::string kJob = std::string(kFolder) + "job.toml";
+
+/// Files have changed: what was read of them counts no more.
+void forget_files();
 
 /// Names and descriptions of what is shipped, and the kinds of synthetic motions.
 Json catalogue_answer();
@@ -30,5 +34,22 @@ Json case_answer(const std::string& job, std::size_t index);
 /// The curve of each limit state with its band.
 /// @param cases  answers of case_answer()
 Json fragility_answer(const Json& cases);
+
+/// The text of an item that a job names, and the name of its file.
+Json source_answer(const std::string& equipment);
+
+/// What the file of an item describes: where its boxes, casters and centres of mass are, what holds it up,
+/// and what `gurney equipment show` says of it.
+/// Of a file with errors: these, and what stands where in it.
+/// @param name  of the file, as a job names it
+Json item_answer(const std::string& name, const std::string& text);
+
+/// Changes of the job that might have prevented what befell an item, as keys of its text: those variants of
+/// `gurney explain --what-if` that a job can state, other coverings, casters turned.
+Json alternatives_answer(const std::string& job);
+
+/// What a job leads to, without repetitions.
+/// @param replica  number of replica_of(); 0: the job as it is
+Json outcome_answer(const std::string& job, std::size_t replica);
 
 }  // namespace gurney::workbench

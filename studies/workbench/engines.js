@@ -1,5 +1,8 @@
 // Workers with engines, one for each question at a time.
 
+/// Questions of which many are asked at once, and which wait for all others.
+const isOfSeries = ({ words }) => words[0] === 'case' || words[0] === 'outcome';
+
 class Engines {
   constructor(module, count) {
     const source = `'use strict';\n${kWorkerSource}`;
@@ -32,10 +35,9 @@ class Engines {
     }
   }
 
-  /// Cases of a series wait until all other questions have an answer.
   ask(...words) {
     return new Promise((resolve) => {
-      const at = words[0] === 'case' ? this.waiting.length : this.waiting.findIndex((question) => question.words[0] === 'case');
+      const at = isOfSeries({ words }) ? -1 : this.waiting.findIndex(isOfSeries);
       this.waiting.splice(at < 0 ? this.waiting.length : at, 0, { words, resolve });
       this.next();
     });
@@ -46,8 +48,8 @@ class Engines {
     for (const worker of this.workers) worker.postMessage({ file: [name, bytes] });
   }
 
-  /// Drops the cases that no worker has begun, whose promises stay open.
-  dropCases() {
-    this.waiting = this.waiting.filter((question) => question.words[0] !== 'case');
+  /// Drops the questions of series that no worker has begun, whose promises stay open.
+  dropSeries() {
+    this.waiting = this.waiting.filter((question) => !isOfSeries(question));
   }
 }

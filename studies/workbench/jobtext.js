@@ -1,4 +1,4 @@
-// Changes of a job in its text, at the places that the engine's reader gives: what somebody wrote stays.
+// Changes of a job or an item in its text, at the places that the engine's reader gives: what somebody wrote stays.
 
 const asText = (value) => JSON.stringify(value);
 
@@ -79,4 +79,66 @@ function withoutItem(text, index) {
   const first = itemLines(lines)[index];
   lines.splice(first, endOf(lines, first + 1, 'item') - first);
   return lines.join('\n').replace(/\n{3,}/g, '\n\n');
+}
+
+// Values at their places, as an item's numbers with all that is said of them.
+
+const offsetOf = (text, { line, column }) => text.split('\n').slice(0, line - 1).join('\n').length + (line > 1 ? 1 : 0) + column - 1;
+
+function endOfString(text, start) {
+  const quote = text.slice(start).match(/^("""|'''|"|')/)[0];
+  let i = start + quote.length;
+  while (i < text.length && !text.startsWith(quote, i)) i += quote[0] === '"' && text[i] === '\\' ? 2 : 1;
+  return i + quote.length;
+}
+
+/// One past the end of the value that begins here.
+function endOfValue(text, start) {
+  let depth = 0;
+  for (let i = start; i < text.length; ++i) {
+    const c = text[i];
+    if (c === '"' || c === "'") i = endOfString(text, i) - 1;
+    else if (c === '#') i = Math.max(i, text.indexOf('\n', i));
+    else if (c === '[' || c === '{') ++depth;
+    else if (c === ']' || c === '}') --depth;
+    else if (depth === 0 && /[\s,]/.test(c)) return i;
+    if (depth < 0) return i;
+    if (depth === 0 && /["'\]}]/.test(text[i])) return i + 1;
+  }
+  return text.length;
+}
+
+function withValue(text, node, value) {
+  const start = offsetOf(text, node);
+  return text.slice(0, start) + value + text.slice(endOfValue(text, start));
+}
+
+/// What a quantity says, with or without its provenance: a number, a text, or numbers.
+function valueOf(node) {
+  const stated = node?.keys ? node.keys.value : node;
+  return stated?.list ? stated.list.map(({ value }) => value) : stated?.value;
+}
+
+/// Sets a quantity of a table. Its source, range and distribution stay, unless it is to be bare: then the
+/// number stands alone, since what was said of it does not hold.
+function withQuantity(text, table, key, value, bare) {
+  const known = table.keys[key];
+  if (!known) return withKey(text, table, key, value);
+  if (!known.keys) return withValue(text, known, value);
+  if (!bare) return withValue(text, known.keys.value, value);
+  if (text[offsetOf(text, known)] === '{') return withValue(text, known, value);
+  const lines = text.split('\n');
+  const name = lines[known.line - 1].match(/\[\s*([^\]]*?)\s*\]/)[1];
+  let end = endOf(lines, known.line, name);
+  while (end > known.line && /^\s*(#.*)?$/.test(lines[end - 1])) --end;
+  lines.splice(known.line - 1, end - known.line + 1);
+  lines.splice(table.line, 0, `${key} = ${value}`);
+  return lines.join('\n');
+}
+
+/// Without one table of an array of tables, as `[[shape]]`.
+function withoutElement(text, table, name) {
+  const lines = text.split('\n');
+  lines.splice(table.line - 1, endOf(lines, table.line, name) - table.line + 1);
+  return lines.join('\n');
 }

@@ -18,12 +18,12 @@ filled() {
     } {print}'
 }
 
-cat "$player"/{vectors,recording,meshes,shaders,renderer,camera,room,graph,widgets,player}.js > "$folder/player.js"
+cat "$player"/{vectors,recording,meshes,shaders,renderer,camera,room,graph,widgets,saving,player}.js > "$folder/player.js"
 filled '/*STYLE*/' "$player/playback.css" < "$player/page.html" |
   filled '/*SCRIPT*/' "$folder/player.js" | base64 > "$folder/playback"
 gzip -9 --no-name --stdout "$1" | base64 > "$folder/engine"
 cat "$here"/{host,worker}.js > "$folder/worker.js"
-cat "$here"/{engines,jobtext,plan,page}.js > "$folder/page.js"
+cat "$here"/{engines,jobtext,textpane,plan,itemeditor,prevented,page}.js > "$folder/page.js"
 filled '/*STYLE*/' "$here/workbench.css" < "$here/page.html" | filled '/*ENGINE*/' "$folder/engine" |
   filled '/*PLAYBACK*/' "$folder/playback" | filled '/*WORKER*/' "$folder/worker.js" |
   filled '/*SCRIPT*/' "$folder/page.js" > "$2"

@@ -49,30 +49,31 @@ class Workbench {
     this.engines = new Engines(module, Math.max(1, Math.min(8, navigator.hardwareConcurrency || 2)));
     this.chosen = 0;
     this.edits = Promise.resolve();
+    this.pane = new TextPane({ text: element('text'), lines: element('lines'), errors: element('errors'), file: 'job.toml', changed: () => this.read() });
+    this.prevented = new Prevented(this.engines, (text) => this.change(text).then(() => this.run()));
     this.plan = new Plan(element('plan'), (...where) => this.place(...where), (i) => this.choose(i));
     this.connect();
-    this.setText(kFirstJob);
+    this.given = JSON.parse(element('given').textContent) || { text: kFirstJob, files: [] };
+    this.pane.value = this.given.text;
   }
 
   async start() {
+    for (const [name, bytes] of this.given.files) this.engines.add(name, unpacked(bytes).buffer);
     this.catalogue = await this.engines.ask('catalogue');
     const fill = (id, entries) => entries.forEach(({ name, title, about }) => element(id).append(made('option', title, { value: name, title: about })));
     fill('add', this.catalogue.items);
     fill('room', this.catalogue.rooms);
     fill('covering', this.catalogue.floors);
     fill('building', this.catalogue.buildings);
-    element('motion').append(made('option', 'none: the floor rests', { value: '' }), made('option', 'shipped, three directions', { value: kShippedRecord }));
-    for (const { name, about } of this.catalogue.synthetic) element('motion').append(made('option', `synthetic: ${name.replaceAll('_', ' ')}`, { value: `synthetic = { kind = ${asText(name)} }`, title: about }));
-    if (await this.read()) await this.run();
+    element('motion').append(made('option', 'none', { value: '', title: 'the floor rests' }), made('option', 'shipped record', { value: kShippedRecord, title: 'synthetic, in three directions' }));
+    for (const { name, about } of this.catalogue.synthetic) element('motion').append(made('option', name.replaceAll('_', ' '), { value: `synthetic = { kind = ${asText(name)} }`, title: about }));
+    this.editor = new ItemEditor(this.engines, this.catalogue.casters, (name, text) => this.useItem(name, text));
+    if ((await this.read()) && this.given.edit) await this.editItem();
+    if (this.known === this.text) await this.run();
   }
 
   get text() {
-    return element('text').value;
-  }
-
-  setText(text) {
-    element('text').value = text;
-    this.showErrors('');
+    return this.pane.value;
   }
 
   /// Sets a key of the table of this name, which is made where it is missing; null: not stated.
@@ -99,7 +100,7 @@ class Workbench {
   }
 
   async change(text) {
-    this.setText(text);
+    this.pane.value = text;
     await this.read();
   }
 
@@ -108,7 +109,7 @@ class Workbench {
     const text = this.text;
     const plan = await this.engines.ask('plan', text);
     if (text !== this.text) return false;
-    this.showErrors(plan.error || '');
+    this.pane.showErrors(plan.error || '');
     if (plan.error) return false;
     this.known = text;
     this.planned = plan;
@@ -122,16 +123,21 @@ class Workbench {
   }
 
   showControls() {
-    const valueOf = (...path) => within(this.tree, ...path)?.value ?? '';
-    element('room').value = valueOf('room', 'file');
-    element('covering').value = valueOf('floor', 'covering');
-    element('building').value = valueOf('excitation', 'building', 'file');
-    const scale = valueOf('excitation', 'record', 'scale') || 1;
+    this.showChoices();
+    for (const select of document.querySelectorAll('#setup select')) select.title = select.selectedOptions[0]?.textContent || '';
+  }
+
+  showChoices() {
+    const stated = (...path) => within(this.tree, ...path)?.value ?? '';
+    showChoice(element('room'), stated('room', 'file'));
+    showChoice(element('covering'), stated('floor', 'covering'));
+    showChoice(element('building'), stated('excitation', 'building', 'file'));
+    const scale = stated('excitation', 'record', 'scale') || 1;
     element('scale').value = 20 * Math.log10(scale);
     element('scaled').textContent = `× ${+scale.toPrecision(3)}`;
     const record = within(this.tree, 'excitation', 'record');
-    const kind = valueOf('excitation', 'record', 'synthetic', 'kind');
-    const file = valueOf('excitation', 'record', 'file');
+    const kind = stated('excitation', 'record', 'synthetic', 'kind');
+    const file = stated('excitation', 'record', 'file');
     const motion = element('motion');
     motion.value = !record ? '' : kind ? `synthetic = { kind = ${asText(kind)} }` : `file = ${asText(file)}`;
     if (motion.selectedIndex >= 0 && motion.selectedOptions[0] !== this.own) return;
@@ -177,9 +183,37 @@ class Workbench {
     });
     element('keep').addEventListener('click', () => this.keep());
     element('many').addEventListener('click', () => this.many());
-    element('download').addEventListener('click', () => this.download());
+    element('download').addEventListener('click', () => download('job.toml', this.text));
+    element('edit').addEventListener('click', () => this.editItem());
+    element('item-back').addEventListener('click', () => this.turnTo('roompage'));
+    element('prevent').addEventListener('click', () => this.prevented.ask(this.ran, this.ranTree));
     this.connectFiles();
-    this.connectText();
+  }
+
+  turnTo(page) {
+    for (const id of ['roompage', 'itempage']) element(id).hidden = id !== page;
+    window.scrollTo(0, 0);
+  }
+
+  /// Opens the file of the chosen item. A shipped one gets another name.
+  async editItem() {
+    const equipment = itemsOf(this.tree)[this.chosen]?.keys.equipment?.value;
+    const source = equipment ? await this.engines.ask('source', equipment) : { error: 'The job itself describes this item: change it in the job text.' };
+    if (source.error) {
+      element('status').textContent = source.error;
+      return;
+    }
+    this.edited = this.chosen;
+    this.turnTo('itempage');
+    await this.editor.open(this.catalogue.items.some(({ name }) => name === equipment) ? `my_${source.name}` : source.name, source.text);
+  }
+
+  async useItem(name, text) {
+    this.engines.add(name, new TextEncoder().encode(text).buffer);
+    this.known = null;
+    await this.setItemKey(this.edited, 'equipment', asText(name));
+    this.turnTo('roompage');
+    if (this.text === this.known) await this.run();
   }
 
   connectFiles() {
@@ -195,16 +229,6 @@ class Workbench {
       dragged(false)(event);
       this.addRecords([...event.dataTransfer.files]);
     });
-  }
-
-  connectText() {
-    let later;
-    element('text').addEventListener('input', () => {
-      this.showErrors('');
-      clearTimeout(later);
-      later = setTimeout(() => this.read(), 300);
-    });
-    element('text').addEventListener('scroll', () => (element('lines').scrollTop = element('text').scrollTop));
   }
 
   scale() {
@@ -231,46 +255,18 @@ class Workbench {
     await this.run();
   }
 
-  /// One line for each error, which leads to its place in the text.
-  showErrors(text) {
-    const found = text.split('\n').filter(Boolean).map((line) => line.replace(/^\/usr\/share\/gurney\/studies\/jobs\//, ''));
-    const places = found.map((line) => (line.match(/^job\.toml:(\d+):(\d+): /) || []).slice(1).map(Number));
-    element('errors').replaceChildren(
-      ...found.map((line, i) => {
-        const button = made('button', line.replace(/^job\.toml:(\d+):(\d+): /, 'line $1: '), { type: 'button' });
-        button.addEventListener('click', () => this.goTo(places[i]));
-        const row = made('li');
-        row.append(button);
-        return row;
-      }),
-    );
-    const bad = new Set(places.map(([line]) => line));
-    const numbers = this.text.split('\n').flatMap((_, i) => [made(bad.has(i + 1) ? 'b' : 'span', String(i + 1)), '\n']);
-    element('lines').replaceChildren(...numbers);
-  }
-
-  goTo([line, column]) {
-    if (!line) return;
-    element('job').open = true;
-    const before = this.text.split('\n').slice(0, line - 1).join('\n').length + (line > 1 ? 1 : 0);
-    element('text').focus();
-    element('text').setSelectionRange(before + column - 1, before + column);
-    element('text').scrollTop = Math.max(0, (line - 5) * 18);
-  }
-
-  download() {
-    const link = made('a', '', { download: 'job.toml', href: URL.createObjectURL(new Blob([this.text], { type: 'application/toml' })) });
-    link.click();
-    URL.revokeObjectURL(link.href);
-  }
-
   async run() {
     this.endSeries();
     element('status').textContent = 'Running…';
-    const answer = await this.engines.ask('run', this.text);
-    this.showErrors(answer.error || '');
+    const text = this.text;
+    const tree = this.tree;
+    const answer = await this.engines.ask('run', text);
+    this.pane.showErrors(answer.error || '');
     element('status').textContent = answer.error ? 'Not run.' : `${answer.simulated.toFixed(1)} s of shaking and three repetitions that judge it, in ${answer.seconds.toFixed(2)} s.`;
-    if (!answer.error) this.show(answer);
+    if (answer.error) return;
+    this.ran = text;
+    this.ranTree = tree;
+    this.show(answer);
   }
 
   show(answer) {
@@ -279,6 +275,7 @@ class Workbench {
     element('result').hidden = false;
     element('headline').textContent = answer.headline;
     element('limits').replaceChildren(...answer.limit_states.map(({ name, words, exceeded }) => made('li', `${exceeded ? '' : 'not '}${name}`, { title: words, class: exceeded ? 'exceeded' : 'not' })));
+    element('ask').hidden = !answer.limit_states.some(({ exceeded }) => exceeded);
     this.play([answer, this.before].filter((run) => run?.recording));
     this.tell();
     element('numbers').replaceChildren(...shownSection(answer.shown));
@@ -304,7 +301,7 @@ class Workbench {
       ...runs.map(([title, run]) => {
         const column = made('div');
         if (runs.length > 1) column.append(made('h2', title));
-        column.append(...run.narrative.map((line) => made('p', line)));
+        column.append(...run.narrative.map((line) => made('p', line, line.startsWith(' ') ? { class: 'detail' } : {})));
         for (const warning of run.warnings) column.append(made('p', `Warning: ${warning}`));
         return column;
       }),
@@ -318,7 +315,8 @@ class Workbench {
 
   /// Ends a series of runs that goes on. @returns the number of the next one
   endSeries() {
-    this.engines.dropCases();
+    this.engines.dropSeries();
+    this.prevented.clear();
     return (this.series = (this.series || 0) + 1);
   }
 
@@ -346,6 +344,18 @@ class Workbench {
     window.lastCurves = answer;
     element('curves').replaceChildren(...answer.curves.map(curveFigure));
   }
+}
+
+function download(name, text) {
+  const link = made('a', '', { download: name, href: URL.createObjectURL(new Blob([text], { type: 'application/toml' })) });
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+/// A file that the list does not have is added to it.
+function showChoice(select, value) {
+  if (![...select.options].some((option) => option.value === value)) select.append(made('option', value, { value }));
+  select.value = value;
 }
 
 function shownSection(section) {

@@ -90,11 +90,11 @@ set(GURNEY_ROOMS
   "studies/templates: engine/base"
   "studies/bindings: engine/base engine/config engine/response engine/run groundmotions/record
     equipment/catalogue studies/build_info studies/job studies/results
-    studies/prepare"
-  "studies/workbench: engine/base engine/baselines engine/config engine/run groundmotions/synthetic
-    equipment/catalogue studies/bindings studies/build_info studies/job studies/results studies/prepare
-    studies/limit_states studies/statistics studies/findings studies/render studies/report
-    studies/playback"
+    studies/prepare studies/limit_states studies/plan studies/units studies/analysis"
+  "studies/workbench: engine/base engine/baselines engine/config engine/scene engine/response engine/run
+    groundmotions/synthetic equipment/catalogue studies/bindings studies/build_info studies/job
+    studies/results studies/prepare studies/limit_states studies/statistics studies/findings studies/render
+    studies/explanation studies/report studies/playback"
   "studies/cli: engine/base engine/config engine/response engine/run groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/models groundmotions/processing
     groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/buildings

@@ -93,5 +93,36 @@ TEST_P(ExportedItem, StandsInMujoco) {
 INSTANTIATE_TEST_SUITE_P(Catalogue, ExportedItem,
                          testing::ValuesIn(equipment::catalogue_names(equipment::DataKind::kItem)));
 
+// Each joint of a part is a joint of MuJoCo: a slider one degree of freedom, a flexible one two, a ball three; a content has
+// six. The masses are those of the item with its parts, to the rounding of the test above for each body.
+TEST(ExportedParts, HaveTheMassesAndFreedomsOfOursInMujoco) {
+  const auto expect = [](const std::string& name, const std::string& variant, int freedoms) {
+    const equipment::LoadedItem loaded = equipment::load_item(
+        equipment::find_data(equipment::DataKind::kItem, name, ""), {}, {variant});
+    std::vector<study::PartBody> parts;
+    for (const equipment::LoadedPart& part : loaded.parts)
+      parts.push_back(
+          {part.model.name, part.joint, chassis_with_payloads(part.model), part.model.shape});
+    for (const equipment::LoadedContent& content : loaded.contents)
+      parts.push_back({content.model.name,
+                       {},
+                       chassis_with_payloads(content.model),
+                       content.model.shape,
+                       content.pairs.front().constants.friction,
+                       content.yaw,
+                       content.position});
+    const Model alone = load(study::mjcf_text(study::item_bodies(loaded.model)));
+    const Model model = load(study::mjcf_text(study::item_bodies(loaded.model, parts)));
+    ASSERT_TRUE(alone && model);
+    EXPECT_EQ(model->nv - alone->nv, freedoms);
+    const MassProperties ours = whole_item(as_rigid(loaded)), theirs = mass_of(*model);
+    EXPECT_NEAR(theirs.mass, ours.mass, 1e-13 * ours.mass);
+    EXPECT_LE((theirs.center_of_mass - ours.center_of_mass).norm(), 1e-12);
+    EXPECT_LE((theirs.inertia - ours.inertia).cwiseAbs().maxCoeff(), 1e-10);
+  };
+  expect("crash_cart", "drawers and defibrillator", 5 + 6);
+  expect("infusion_pole", "flexible pole and bags", 2 + 3 + 3);
+}
+
 }  // namespace
 }  // namespace gurney::peers

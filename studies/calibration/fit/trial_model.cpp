@@ -145,8 +145,9 @@ EquipmentModel item_of(const TrialSetup& setup) {
   options.headings = setup.headings;
   if (setup.headings.size() == 1)
     options.headings.assign(static_cast<std::size_t>(setup.wheels), setup.headings[0]);
+  // A pull is slow: parts and contents stay where they are.
   EquipmentModel model =
-      equipment::load_item(found(equipment::DataKind::kItem, setup.item), options).model;
+      as_rigid(equipment::load_item(found(equipment::DataKind::kItem, setup.item), options));
   const double mass = whole_item(model).mass;
   require(setup.mass == 0 || std::abs(mass / setup.mass - 1) < kMassAgrees,
           fmt::format("{} weighs {:.4g} kg with its payload, but the trial {:.4g} kg", setup.item,

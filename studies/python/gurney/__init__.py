@@ -1,19 +1,26 @@
-"""Results of Gurney as tables of pandas and datasets of xarray.
+"""Gurney in Python: items on casters under floor motions, studies, curves and their results.
 
     import gurney
-    with gurney.open("study.h5") as study:
-        study.runs                            # one row for each run
-        study.demands.join(study.runs)        # one row for each item of each run
-        study.fragility("overturned", configuration="brakes on")
+    run = gurney.simulate("icu_ventilator", acceleration, time_step=0.005)   # in memory
+    run = gurney.run("job.toml", item__brakes=True)                          # a job, with other values
+    run.to_frame(), run.play()
 
-Single runs, where the compiled module is installed:
+    study = gurney.study("study.toml", "study.h5")                           # or gurney.open("study.h5")
+    study.runs                            # one row for each run
+    study.to_frame()                      # one row for each item of each run
+    curve = study.fragility("overturned", configuration="brakes on")
+    curve.rate(gurney.Hazard(im, rate, measure="PGA", unit="g"))
 
-    run = gurney.simulate("icu_ventilator", acceleration, time_step=0.005)
-    run.demands["icu_ventilator"]["peak_displacement"]
+    gurney.catalogue()                    # items, casters, floor coverings, rooms, buildings
+    gurney.records.read("RSN1063.AT2")    # ground motions: spectra, measures, floors of buildings
 
-All values are in SI units, angles in radians, as in the file; ``frame.attrs["units"]`` has the unit
-of every column. Drawn parameters keep the unit that their name ends with. Files are only read.
+All values are in SI units, angles in radians, as in the files; ``frame.attrs["units"]`` has the unit
+of every column. Drawn parameters keep the unit that their name ends with.
 """
+
+from __future__ import annotations
+
+import os
 
 try:
     import h5py  # noqa: F401
@@ -21,23 +28,32 @@ except ModuleNotFoundError:
     raise ModuleNotFoundError("gurney needs h5py: apt install python3-h5py, or "
                               "pip install h5py") from None
 
+from . import program, records
 from .errors import DamagedFile, Error, InputError, NotInFile
-from .fragility import Fragility
+from .fragility import Fragility, Statistics
 from .hazard import Hazard, read_hazard
-from .limit_states import LimitState
+from .jobs import item, patched, read_job
+from .page import Page
+from .records import Record
 from .results import Results
-from .simulation import Run, simulate, simulate_job
+from .shipped import catalogue, data_folder, sheet
+from .simulation import Run, Runs, run, simulate, simulate_job, simulate_many
+from .studies import study
 
-__all__ = ["DamagedFile", "Error", "Fragility", "Hazard", "InputError", "LimitState", "NotInFile",
-           "Results", "Run", "open", "read_hazard", "simulate", "simulate_job"]
+__all__ = ["DamagedFile", "Error", "Fragility", "Hazard", "InputError", "NotInFile", "Page", "Record",
+           "Results", "Run", "Runs", "Statistics", "catalogue", "data_folder", "item", "open", "patched", "program",
+           "read_hazard", "read_job", "records", "run", "sheet", "simulate", "simulate_job",
+           "simulate_many", "study"]
 __version__ = "0.1.0"
 
 
-def open(path, verify=True):  # noqa: A001 (as h5py and xarray call it)
+def open(path: str | os.PathLike[str], verify: bool = True) -> Results:  # noqa: A001 (as h5py calls it)
     """Opens a results file of a single run or of a study, for reading.
 
     :param path: a file of ``gurney run`` or ``gurney merge``
     :param verify: compare the SHA-256 at the end of the file first, which reads all of it
     :returns: :class:`Results`, to be closed or used in ``with``
+    :raises Error: no such file, or not one of Gurney
+    :raises DamagedFile: its bytes are not those that were written
     """
     return Results(path, verify=verify)

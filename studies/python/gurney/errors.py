@@ -1,6 +1,9 @@
 """Errors of the package; each message names what is available instead."""
 
+from __future__ import annotations
+
 import difflib
+from collections.abc import Iterable
 
 
 class Error(Exception):
@@ -19,18 +22,18 @@ class NotInFile(Error, LookupError):
     """A table, name or run that the file does not have."""
 
 
-def not_in_file(where, kind, name, known):
+def not_in_file(where: str, kind: str, name: object, known: Iterable[object]) -> NotInFile:
     """The error for a name that is not among the known ones, with the nearest of them."""
-    known = [str(each) for each in known]
-    near = difflib.get_close_matches(str(name), known, n=1)
+    names = [str(each) for each in known]
+    near = difflib.get_close_matches(str(name), names, n=1)
     meant = f" (did you mean '{near[0]}'?)" if near else ""
-    return NotInFile(f"{where}: no {kind} '{name}'{meant}; it has: {shortened(known)}")
+    return NotInFile(f"{where}: no {kind} '{name}'{meant}; it has: {shortened(names)}")
 
 
-def shortened(names, most=12):
+def shortened(names: Iterable[object], most: int = 12) -> str:
     """The first names of a list, and how many more there are."""
-    names = [str(each) for each in names]
-    if not names:
+    given = [str(each) for each in names]
+    if not given:
         return "none"
-    more = len(names) - most
-    return ", ".join(names[:most]) + (f" and {more} more" if more > 0 else "")
+    more = len(given) - most
+    return ", ".join(given[:most]) + (f" and {more} more" if more > 0 else "")

@@ -1,73 +1,56 @@
 """The hazard of a site: annual rate of exceedance of an intensity measure."""
 
+from __future__ import annotations
+
 import os
-import re
-import tomllib
-from dataclasses import dataclass
+from collections.abc import Sequence
+from typing import Any
 
-import numpy
-
-from .errors import Error
-from .units import _TO_SI
+from . import engine, jobs
+from .errors import InputError
 
 
-@dataclass(frozen=True)
 class Hazard:
-    """Points of a hazard curve: ``im`` in the SI unit of the measure, ``rate`` [1/year]; between
-    the points ln rate is linear in ln im. ``measure`` is as in ``runs``, "PGV larger"."""
+    """A hazard curve. The program reads it, so that unit, measure and points are checked as those of a
+    file of schema "gurney-hazard/1"; between the points ln rate is linear in ln im, beyond them
+    nothing is known.
 
-    im: tuple
-    rate: tuple
-    measure: str = ""
+    :param im: two or more intensities in ``unit``, increasing
+    :param rate: mean annual rate of exceeding each [1/year], decreasing
+    :param measure: ``"PGA"``, ``"PGV"``, ``"Sa(1.0)"`` and so on
+    :param unit: ``"g"``, ``"m/s2"``, ``"m/s"`` ...; it has no default: a curve in g is not one in m/s2
+    :param component: ``"geomean"``, ``"RotD50"``, ``"larger"`` and so on; that of the study
+    :raises InputError: what is wrong, with what is allowed
+    """
 
-    def __post_init__(self):
-        im, rate = numpy.asarray(self.im, float), numpy.asarray(self.rate, float)
-        if im.shape != rate.shape or im.ndim != 1 or len(im) < 2:
-            raise Error(f"{im.size} intensities have {rate.size} rates: must be 2 or more of each")
-        if not ((numpy.diff(im) > 0).all() and (numpy.diff(rate) < 0).all() and
-                im[0] > 0 and rate[-1] > 0):
-            raise Error("intensities must be > 0 and increase, rates must be > 0 and decrease")
-        object.__setattr__(self, "im", tuple(im))
-        object.__setattr__(self, "rate", tuple(rate))
+    def __init__(self, im: Sequence[float], rate: Sequence[float], *, measure: str, unit: str,
+                 component: str = "geomean") -> None:
+        text = jobs.text({"schema": "gurney-hazard/1", "measure": measure, "component": component,
+                          "unit": unit, "im": [float(each) for each in im],
+                          "rate_per_year": [float(each) for each in rate]})
+        self._take(engine.module().Hazard("hazard", text))
 
-    def rate_of(self, probability, lowest=0, highest=numpy.inf):
-        """Integral of P(exceeded | im) |d rate|; motions above the table count with P at its end.
+    def _take(self, curve: Any) -> None:
+        self._curve = curve
+        self.measure: str = curve.measure  #: with its component, ``"PGA geomean"``
 
-        By Gauss-Legendre with 8 points on panels of at most 0.1 in ln im, whose error is far below
-        rounding for a beta above 0.05.
+    def rate(self, im: float) -> float:
+        """Mean annual rate of exceeding ``im`` [SI unit of the measure]; NaN outside the points."""
+        found: float = self._curve.rate(im)
+        return found
 
-        :param probability: function of an array of intensities
-        :param lowest: only motions of intensities from here
-        :param highest: and up to here
-        """
-        beyond = lowest <= self.im[-1] < highest
-        total = float(probability(self.im[-1])) * self.rate[-1] if beyond else 0.0
-        places, weights = numpy.polynomial.legendre.leggauss(8)
-        for low, high, above, below in zip(self.im, self.im[1:], self.rate, self.rate[1:]):
-            slope = numpy.log(above / below) / numpy.log(high / low)
-            start, end = max(low, lowest), min(high, highest)
-            if start >= end:
-                continue
-            above *= (start / low) ** -slope
-            low, high = start, end
-            panels = int(numpy.ceil(numpy.log(high / low) / 0.1))
-            half = numpy.log(high / low) / panels / 2
-            x = half * (2 * numpy.arange(panels)[:, None] + 1 + places)  # ln(im / low)
-            total += float((probability(low * numpy.exp(x)) * slope * above *
-                            numpy.exp(-slope * x) * half * weights).sum())
-        return total
+    def __repr__(self) -> str:
+        return f"<hazard over {self.measure}>"
 
 
-def read_hazard(path):
-    """A hazard file, schema "gurney-hazard/1", with a table of points."""
-    with open(path, "rb") as file:
-        given = tomllib.load(file)
-    if given.get("schema") != "gurney-hazard/1":
-        raise Error(f"{os.fspath(path)}: schema must be \"gurney-hazard/1\"")
-    if "im" not in given:
-        raise Error(f"{os.fspath(path)}: it has no points (im, rate_per_year)")
-    measure = re.sub(r"\(([0-9.eE+-]+)\)", lambda period: f"({float(period[1]):g})",
-                     given["measure"])
-    to_si = _TO_SI[given["unit"]][1]
-    return Hazard([im * to_si for im in given["im"]], given["rate_per_year"],
-                  f"{measure} {given.get('component', 'geomean')}")
+def read_hazard(path: str | os.PathLike[str]) -> Hazard:
+    """A hazard file, schema "gurney-hazard/1": points, a power law, or a curve of OpenQuake.
+
+    :raises InputError: each error as ``file:line:column: what``
+    """
+    name = os.fspath(path)
+    if not os.path.exists(name):
+        raise InputError(f"{name}: no such file")
+    hazard = Hazard.__new__(Hazard)
+    hazard._take(engine.module().Hazard(name, None))
+    return hazard

@@ -1,14 +1,23 @@
 """Histories of a run, as an xarray Dataset where xarray is installed."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import h5py
 import numpy
 
 from . import tables
 from .errors import Error, NotInFile, not_in_file, shortened
 
+if TYPE_CHECKING:
+    from .results import Results
+
+Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
 _AXES = ("x", "y", "z")
 
 
-def of_run(results, run=None, item=None):
+def of_run(results: Results, run: int | None = None, item: str | None = None) -> Any:
     """The histories of a run with units; see :meth:`gurney.Results.histories`."""
     if "histories" not in results.tables:
         raise NotInFile(f"{results.path}: no histories are stored; ask for them in the job with "
@@ -21,27 +30,29 @@ def of_run(results, run=None, item=None):
     return _dataset(variables, coordinates)
 
 
-def _chosen(results, run, known):
-    known = [int(each) for each in known]
+def _chosen(results: Results, run: int | None, known: Any) -> int:
+    there = [int(each) for each in known]
     if run is None:
-        if len(known) == 1:
-            return known[0]
-        raise Error(f"{results.path}: which run? Histories are stored of {shortened(known)}")
-    if run not in known:
-        raise not_in_file(results.path, "histories of run", run, known)
+        if len(there) == 1:
+            return there[0]
+        raise Error(f"{results.path}: which run? Histories are stored of {shortened(there)}")
+    if run not in there:
+        raise not_in_file(results.path, "histories of run", run, there)
     return run
 
 
-def _attributes(dataset):
+def _attributes(dataset: h5py.Dataset) -> dict[str, Any]:
     names = ("units", "long_name", "flag_values", "flag_meanings")
     return {name: tables.attribute(dataset.attrs[name]) for name in names if name in dataset.attrs}
 
 
-def _of_single_run(results, group, run):
+def _of_single_run(results: Results, group: h5py.Group,
+                   run: int | None) -> tuple[Variables, Variables]:
     """The samples `offset[i]` to `offset[i] + count[i] - 1`, with the dimensions of the file."""
     row = list(group["run"][:]).index(_chosen(results, run, group["run"][:]))
     samples = slice(int(group["offset"][row]), int(group["offset"][row] + group["count"][row]))
-    variables, coordinates = {}, {}
+    variables: Variables = {}
+    coordinates: Variables = {}
     for name, dataset in group.items():
         dims = tuple(scale[0].name.split("/")[-1] if len(scale) else name
                      for scale in dataset.dims)
@@ -53,12 +64,13 @@ def _of_single_run(results, group, run):
     return variables, coordinates
 
 
-def _of_study(results, group, run):
+def _of_study(results: Results, group: h5py.Group,
+              run: int | None) -> tuple[Variables, Variables]:
     """Rows of one run: items one after the other, `displacement_x` and so on with an axis."""
     runs = group["run"][:]
     run = _chosen(results, run, numpy.unique(runs))
-    rows = numpy.flatnonzero(runs == run)
-    rows = slice(int(rows[0]), int(rows[-1]) + 1)
+    own = numpy.flatnonzero(runs == run)
+    rows = slice(int(own[0]), int(own[-1]) + 1)
     of_item = tables.values(group["item"], rows)
     items = list(dict.fromkeys(of_item))
     places = numpy.array([numpy.flatnonzero(of_item == item) for item in items])
@@ -67,10 +79,10 @@ def _of_study(results, group, run):
     time = columns.pop("time")
     if not (time == time[:, :1]).all():
         raise Error(f"{results.path}: the items of run {run} have different times")
-    coordinates = {"time": (("time",), time[:, 0], _attributes(group["time"])),
+    coordinates: Variables = {"time": (("time",), time[:, 0], _attributes(group["time"])),
                    "item": (("item",), numpy.array(items, dtype=object), {}),
                    "axis": (("axis",), numpy.array(_AXES, dtype=object), {})}
-    variables = {}
+    variables: Variables = {}
     for name, data in columns.items():
         stem, end = name[:-2], name[-2:]
         if end == "_x" and all(f"{stem}_{axis}" in columns for axis in _AXES):
@@ -83,7 +95,7 @@ def _of_study(results, group, run):
     return variables, coordinates
 
 
-def _select(results, item, variables, coordinates):
+def _select(results: Results, item: str, variables: Variables, coordinates: Variables) -> None:
     """Keeps one item, and drops the dimension."""
     items = list(coordinates["item"][1])
     if item not in items:
@@ -96,7 +108,7 @@ def _select(results, item, variables, coordinates):
                 group[name] = (kept, numpy.take(data, at, dims.index("item")), about)
 
 
-def _dataset(variables, coordinates):
+def _dataset(variables: Variables, coordinates: Variables) -> Any:
     try:
         import xarray
     except ImportError:

@@ -1,11 +1,18 @@
 """Figures with matplotlib; each function draws into ``ax`` and returns it."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy
 
 from .errors import Error
 
+if TYPE_CHECKING:
+    from .results import Results
 
-def _axes(ax):
+
+def _axes(ax: Any) -> Any:
     if ax is not None:
         return ax
     try:
@@ -16,7 +23,8 @@ def _axes(ax):
     return pyplot.subplots()[1]
 
 
-def history(results, name="displacement", run=None, item=None, ax=None):
+def history(results: Results, name: str = "displacement", run: int | None = None,
+            item: str | None = None, ax: Any = None) -> Any:
     """A history of a run over time, a line for each item, wheel or axis that it has."""
     ax = _axes(ax)
     data = results.histories(run, item)
@@ -35,7 +43,8 @@ def history(results, name="displacement", run=None, item=None, ax=None):
     return ax
 
 
-def fragility(results, limit_state, measure=None, configuration=None, ax=None):
+def fragility(results: Results, limit_state: str, measure: str | None = None,
+              configuration: str | None = None, ax: Any = None) -> Any:
     """Fragility curves of the configurations, with the observed fractions of stripes."""
     ax = _axes(ax)
     names = results.configurations["name"] if configuration is None else [configuration]
@@ -62,7 +71,8 @@ def fragility(results, limit_state, measure=None, configuration=None, ax=None):
     return ax
 
 
-def cloud(results, demand="peak_displacement", measure="intensity", ax=None):
+def cloud(results: Results, demand: str = "peak_displacement", measure: str = "intensity",
+          ax: Any = None) -> Any:
     """A demand over an intensity measure, one mark for each item of each run."""
     ax = _axes(ax)
     data = results.demands.join(results.runs[["configuration", measure]])

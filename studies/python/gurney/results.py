@@ -1,17 +1,21 @@
 """A results file: its tables, histories and provenance."""
 
+from __future__ import annotations
+
 import io
-import json
 import os
-import tomllib
 from functools import cached_property
+from html import escape
+from types import TracebackType
+from typing import Any
 
 import h5py
+import pandas
 
-from . import histories, run_table, tables
+from . import histories, jobs, program, run_table, tables
 from .errors import Error, NotInFile, not_in_file, shortened
-from .fragility import fit_of_study
-from .limit_states import limit_states_of
+from .fragility import Fragility, Statistics
+from .page import Page
 
 #: filetype: versions of the layout that this package reads. Version 1 of a study has no /data_files;
 #: that of a run, of programs before 0.1.0, had one item in /runs.
@@ -24,9 +28,9 @@ class Results:
     ``kind`` is ``"study"`` or ``"run"``. Close it, or use it in ``with``.
     """
 
-    def __init__(self, path, verify=True):
+    def __init__(self, path: str | os.PathLike[str] | bytes, verify: bool = True) -> None:
         self._bytes = path if isinstance(path, bytes) else None
-        self.path = "run in memory" if self._bytes else os.fspath(path)
+        self.path: str = "run in memory" if isinstance(path, bytes) else os.fspath(path)
         if not self._bytes:
             self._check_file()
         self.verified = self.verify() if verify else None
@@ -37,13 +41,13 @@ class Results:
             self.close()
             raise
 
-    def _check_file(self):
+    def _check_file(self) -> None:
         if not os.path.isfile(self.path):
             raise Error(f"{self.path}: no such file")
         if not h5py.is_hdf5(self.path):
             raise Error(f"{self.path}: not an HDF5 file; `gurney run` writes those")
 
-    def _check_layout(self):
+    def _check_layout(self) -> None:
         kind = tables.attribute(self._file.attrs.get("filetype", "none"))
         if kind not in _VERSIONS:
             raise Error(f"{self.path}: its filetype is {kind}; must be one of "
@@ -55,21 +59,23 @@ class Results:
                         f"version {known}: run the job again, or use the package of that program")
         self.kind = "study" if kind == "gurney-study" else "run"
 
-    def close(self):
+    def close(self) -> None:
         """Closes the file; frames that were read stay valid."""
         self._file.close()
+        self.__dict__.pop("statistics", None)
 
-    def __enter__(self):
+    def __enter__(self) -> Results:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
         self.close()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return (f"<gurney results of a {self.kind}: {self.provenance['title']!r}, "
                 f"{len(self._file['runs/run'])} runs; tables {', '.join(self.tables)}>")
 
-    def verify(self):
+    def verify(self) -> bool:
         """Compares the SHA-256 at the end of the file with its bytes.
 
         :returns: True; False if the file has no hash, because another program wrote into it
@@ -78,23 +84,22 @@ class Results:
         return tables.verify(self._bytes or self.path)
 
     @cached_property
-    def provenance(self):
+    def provenance(self) -> dict[str, Any]:
         """What made the file: a dict of its attributes, such as ``program_version``,
         ``git_commit``, ``job_sha256``, ``seed`` and ``record_sha256``."""
         return {name: tables.attribute(value) for name, value in self._file.attrs.items()}
 
     @cached_property
-    def job(self):
+    def job(self) -> dict[str, Any]:
         """The job as nested dicts, from the text that the file holds."""
-        text = self.provenance["job_text"]
-        return json.loads(text) if text.lstrip().startswith("{") else tomllib.loads(text)
+        return jobs.parsed(self.provenance["job_text"])
 
     @property
-    def tables(self):
+    def tables(self) -> list[str]:
         """Names of the groups of the file."""
         return list(self._file)
 
-    def table(self, name, raw=False):
+    def table(self, name: str, raw: bool = False) -> pandas.DataFrame:
         """A group of the file as it is: a DataFrame, one column for each dataset.
 
         :param raw: keep -1 and other values that stand for a missing one
@@ -105,7 +110,7 @@ class Results:
         return tables.frame(self._file[name], raw)
 
     @cached_property
-    def runs(self):
+    def runs(self) -> pandas.DataFrame:
         """One row for each run, index ``run``: what was given and how the run ended.
 
         Of a study, an index of the file is replaced by what it stands for: ``configuration`` and
@@ -118,7 +123,7 @@ class Results:
         return run_table.of_study(self) if self.kind == "study" else run_table.of_run(self)
 
     @cached_property
-    def demands(self):
+    def demands(self) -> pandas.DataFrame:
         """One row for each item of each run that did not fail, index ``(run, item)``.
 
         ``demands.join(runs)`` adds the columns of the runs; NaN: there is no such value, for
@@ -127,102 +132,141 @@ class Results:
         return self._rows("items", "item")
 
     @cached_property
-    def points(self):
+    def points(self) -> pandas.DataFrame:
         """One row for each marked point of each item of each run, index ``(run, item, point)``."""
         return self._rows("points", "item", "point")
 
     @cached_property
-    def wheels(self):
+    def wheels(self) -> pandas.DataFrame:
         """One row for each wheel, index ``(run, item, wheel)``."""
         return self._rows("wheels", "item", "wheel")
 
     @cached_property
-    def zones(self):
+    def zones(self) -> pandas.DataFrame:
         """One row for each zone of the room in each run, index ``(run, zone)``."""
         return self._rows("zones", "zone")
 
     @cached_property
-    def tethers(self):
+    def tethers(self) -> pandas.DataFrame:
         """One row for each cord, hose or line in each run, index ``(run, tether)``."""
         return self._rows("tethers", "tether")
 
     @cached_property
-    def energy(self):
+    def energy(self) -> pandas.DataFrame:
         """Energy balance of each item at the end of each run, index ``(run, item)`` [J]."""
         return self._rows("energy", "item")
 
     @cached_property
-    def impacts(self):
+    def impacts(self) -> pandas.DataFrame:
         """One row for each impact in order of time, index ``run``."""
         return self._rows("events")
 
     @cached_property
-    def records(self):
+    def records(self) -> pandas.DataFrame:
         """One row for each record: name, files with their hashes, processing, warnings."""
         if self.kind == "study":
             return self._rows("records")
         return run_table.records_of_run(self)
 
     @cached_property
-    def configurations(self):
+    def configurations(self) -> pandas.DataFrame:
         """One row for each configuration of a study, index as in the file, with its levels."""
         return self._rows("configurations")
 
     @cached_property
-    def motions(self):
+    def motions(self) -> pandas.DataFrame:
         """One row for each scaled record of a study, with its intensity measures."""
         return self._rows("motions")
 
     @cached_property
-    def parameters(self):
+    def parameters(self) -> pandas.DataFrame:
         """The drawn parameters. Of a study one row for each draw, index
         ``(configuration, draw)``, NaN where a configuration does not draw a parameter; of a run
         one row for each parameter with ``value`` and ``unit``. Empty if nothing was drawn."""
         return run_table.parameters(self)
 
     @cached_property
-    def assumptions(self):
+    def assumptions(self) -> pandas.DataFrame:
         """One row for each parameter without a source: value, range and reason."""
         return self._rows("assumptions")
 
     @cached_property
-    def limit_states(self):
-        """The limit states of the study's job by name, or the usual four if it has none."""
-        return limit_states_of(self)
+    def statistics(self) -> Statistics:
+        """The program's statistics of this study: what the next three ask."""
+        return Statistics(self)
 
-    def exceeded(self, limit_state):
+    @property
+    def limit_states(self) -> dict[str, str]:
+        """The limit states of the study's job, or the usual four if it has none: definitions by name."""
+        return self.statistics.limit_states()
+
+    def exceeded(self, limit_state: str) -> pandas.Series:
         """Which runs exceed a limit state: a Series of bool, index ``run``, without failed runs.
 
         :param limit_state: a name of ``limit_states``, or a line such as
             ``"peak_displacement > 0.2 m"``
+        :raises InputError: a demand, place or unit that the file does not have
         """
-        from .limit_states import find, runs_that_exceed
-        return runs_that_exceed(self, find(self, limit_state))
+        return self.statistics.exceeded(limit_state)
 
-    def fragility(self, limit_state, measure=None, configuration=None):
-        """The lognormal fragility function of one configuration by maximum likelihood.
+    def fragility(self, limit_state: str | pandas.Series, measure: str | None = None,
+                  configuration: str | None = None, *, method: str | None = None,
+                  confidence: float = 0.95) -> Fragility:
+        """The lognormal fragility function of one configuration, as `gurney fragility` has it.
 
         :param limit_state: a name of ``limit_states``, a line such as
-            ``"peak_displacement > 0.2 m"``, or a Series of bool with the index ``run``
-        :param measure: a column of ``runs``, such as ``"PGV geomean"`` or ``"pfa"``; the measure
-            that the study scaled its records to if not stated
-        :param configuration: its name; may be left out if there is one
+            ``"peak_displacement > 0.2 m"``, or a Series of bool with the index ``run`` (NaN: no
+            outcome)
+        :param measure: such as ``"PGV geomean"`` or ``"pfa"``; the measure that the study scaled its
+            records to if not stated
+        :param configuration: its name; not needed if there is one
+        :param method: None, or ``"cloud"``: by regression of the demands
+        :param confidence: of intervals and band, between 0 and 1
         :returns: :class:`gurney.Fragility`, in SI units
+        :raises InputError: a limit state, measure or run that the file does not have
         """
-        return fit_of_study(self, limit_state, measure, configuration)
+        return self.statistics.fit(limit_state, measure, configuration, method, confidence)
 
-    def histories(self, run=None, item=None):
+    def to_frame(self) -> pandas.DataFrame:
+        """A row for each item of each run: its demands, and what the run was given, index
+        ``(run, item)``; ``attrs["units"]`` has the unit of each column."""
+        frame = self.demands.join(self.runs, rsuffix=" of run")
+        frame.attrs["units"] = {**self.runs.attrs["units"], **self.demands.attrs["units"]}
+        return frame
+
+    def play(self, run: int | None = None, height: int = 600) -> Page:
+        """The page of `gurney play`, in a notebook or saved.
+
+        :param run: of a study, which runs it again; its job must be where it was
+        """
+        chosen = [] if run is None else ["--run", str(run)]
+        return Page(program.page("play", self._on_disk(), *chosen), height)
+
+    def report(self, height: int = 800) -> Page:
+        """The page of `gurney report`, in a notebook or saved."""
+        return Page(program.page("report", self._on_disk()), height)
+
+    def _on_disk(self) -> str:
+        if self._bytes:
+            raise Error("this run is in memory: ask the Run, or save it first")
+        return self.path
+
+    def _repr_html_(self) -> str:
+        html: str = self.runs.to_html(max_rows=10, max_cols=10, float_format="{:.4g}".format)
+        return f"<p>{escape(self.provenance['title'])}: {len(self.runs)} runs</p>" + html
+
+    def histories(self, run: int | None = None, item: str | None = None) -> Any:
         """Histories of a run: an xarray Dataset with the dimensions ``time`` [s], ``item``,
         ``axis``, ``wheel``, ``point``, and ``units`` of every variable.
 
         Without xarray a dict of arrays with the same names.
 
-        :param run: may be left out if the file has histories of one run only
+        :param run: not needed if the file has histories of one run only
         :param item: only this item
         """
         return histories.of_run(self, run, item)
 
-    def _rows(self, name, *index):
+    def _rows(self, name: str, *index: str) -> pandas.DataFrame:
         """A table with the index (run, ...), without the column that counts its rows."""
         if name not in self._file:
             raise NotInFile(f"{self.path}: it has no /{name}; its tables are "

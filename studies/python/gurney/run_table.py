@@ -1,14 +1,21 @@
 """The table of runs: what a run was given, joined to its row."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy
 import pandas
 
 from .units import unit_of_key
 
+if TYPE_CHECKING:
+    from .results import Results
+
 _FAILURES = ("diverged", "untrusted")
 
 
-def of_run(results):
+def of_run(results: Results) -> pandas.DataFrame:
     """Of a single run: /runs as it is, with `failed`."""
     runs = results.table("runs")
     attributes = runs.attrs
@@ -18,7 +25,7 @@ def of_run(results):
     return runs
 
 
-def of_study(results):
+def of_study(results: Results) -> pandas.DataFrame:
     """Of a study: /runs with the names, measures and drawn values that its indices stand for."""
     file = results.table("runs").drop(columns="row")
     file = file.rename(columns={"unit": "analysis_case"}).set_index("run")
@@ -47,36 +54,39 @@ def of_study(results):
 class _Joined:
     """Columns under names that differ, with their units."""
 
-    def __init__(self, attributes):
+    def __init__(self, attributes: dict[str, Any]) -> None:
         self._file = attributes
-        self._columns, self._units, self._long_names = {}, {}, {}
+        self._columns: dict[str, Any] = {}
+        self._units: dict[str, str] = {}
+        self._long_names: dict[str, str] = {}
 
-    def add(self, name, values, unit=None, long_name=None, table=None):
+    def add(self, name: str, values: Any, unit: str | None = None, long_name: str | None = None,
+            table: str | None = None) -> None:
         if name in self._columns or (table and name in self._file["units"]):
             name = f"{table}.{name}"
         self._columns[name] = values
         self._units[name] = unit or self._file["units"].get(name, "1")
         self._long_names[name] = long_name or self._file["long_name"].get(name, "")
 
-    def frame(self):
+    def frame(self) -> pandas.DataFrame:
         result = pandas.DataFrame(self._columns)
         result.index.name = "run"
         result.attrs = {"units": self._units, "long_name": self._long_names}
         return result
 
 
-def _described(attributes, **columns):
+def _described(attributes: dict[str, Any], **columns: tuple[str, str]) -> dict[str, Any]:
     units = dict(attributes["units"], **{name: unit for name, (unit, _) in columns.items()})
     names = dict(attributes["long_name"], **{name: text for name, (_, text) in columns.items()})
     return {"units": units, "long_name": names}
 
 
-def _causes(results, runs):
+def _causes(results: Results, runs: pandas.Index) -> pandas.Series:
     failures = results.table("failures").drop_duplicates("run").set_index("run")["cause"]
     return failures.reindex(runs).fillna("")
 
 
-def _add_configuration(table, results, file):
+def _add_configuration(table: _Joined, results: Results, file: pandas.DataFrame) -> None:
     configurations = results.table("configurations").drop(columns="row")
     levels = configurations.iloc[file["configuration"].to_numpy()].set_index(file.index)
     table.add("configuration", levels["name"], "1", "levels of all factors")
@@ -84,7 +94,7 @@ def _add_configuration(table, results, file):
         table.add(factor, levels[factor], "1", "level of this factor", "configurations")
 
 
-def _record_names(results, motions):
+def _record_names(results: Results, motions: pandas.DataFrame) -> pandas.Series:
     records = results.table("records")
     records["record"] = records.groupby("set").cumcount()
     names = records.set_index([records["set"].astype(int), "record"])["name"]
@@ -92,7 +102,7 @@ def _record_names(results, motions):
     return pandas.Series(names.reindex(keys).to_numpy(), index=motions.index)
 
 
-def _add_parameters(table, results, file):
+def _add_parameters(table: _Joined, results: Results, file: pandas.DataFrame) -> None:
     drawn = results.parameters
     if drawn.empty:
         return
@@ -102,7 +112,7 @@ def _add_parameters(table, results, file):
         table.add(name, of_run[name], drawn.attrs["units"][name], "drawn parameter", "drawn")
 
 
-def parameters(results):
+def parameters(results: Results) -> pandas.DataFrame:
     """The drawn parameters: of a study wide, a row for each draw; of a run a row for each."""
     if "drawn" not in results.tables:
         empty = pandas.DataFrame()
@@ -119,7 +129,7 @@ def parameters(results):
     return wide
 
 
-def records_of_run(results):
+def records_of_run(results: Results) -> pandas.DataFrame:
     """The record of a single run, from the attributes of the file: one row for each of its files."""
     given = results.provenance
     files, hashes = (numpy.atleast_1d(given[name]).tolist()

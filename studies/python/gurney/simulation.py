@@ -1,29 +1,46 @@
 """Single runs from Python, in memory: the bits of ``gurney run`` without its files.
 
-The simulation is that of the compiled module ``gurney._engine``; the rest of the package works
-without it.
+The simulation is that of the compiled module ``gurney._engine``; reading results works without it.
 """
 
-import json
+from __future__ import annotations
+
+import multiprocessing.pool
 import numbers
 import os
-import pathlib
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
+from html import escape
+from typing import Any, TypeAlias
 
 import numpy
+import numpy.typing
+import pandas
 
+from . import engine, jobs, program
 from .errors import InputError
+from .page import Page
+from .records import Record
 from .results import Results
 
+Array = numpy.typing.NDArray[numpy.float64]
+Item: TypeAlias = str | os.PathLike[str] | Mapping[str, Any] | Sequence[Mapping[str, Any]]
+Motion: TypeAlias = (numpy.typing.ArrayLike | str | os.PathLike[str] | Mapping[str, Any] | Record |
+                     None)
 
-def simulate(item, record=None, time_step=None, *, predictability=True, **tables):
+
+def simulate(item: Item, record: Motion = None, time_step: float | None = None, *,
+             predictability: bool = True, **tables: Any) -> Run:
     """Runs an item, or several, on one motion of the floor.
 
     :param item: a name of the catalogue, a path of an item file (``"my_item.toml"``), a dict with the
-        keys of ``[item]`` of a job, or a list of such dicts
+        keys of ``[item]`` of a job (:func:`gurney.item` makes one), or a list of such dicts
     :param record: acceleration of the floor [m/s2] as an array, one row for each time, with one
-        column (x) or three (x, y, z), and ``time_step`` [s]; or the path of a record file; or a dict
-        with the keys of ``[excitation.record]``; or None: the floor rests
+        column (x) or three (x, y, z), up to 100 g, and ``time_step``; or a
+        :class:`gurney.records.Record`; or the path of a record file; or a dict with the keys of
+        ``[excitation.record]``; or None: the floor rests
+    :param time_step: of an array, 0.00001 to 1 [s]
     :param predictability: run the twin as well, as ``gurney run`` does; False takes half the time
     :param tables: other tables of a job as dicts: ``floor``, ``room``, ``settings``, ``excitation``
     :returns: :class:`Run`. A run that diverged is one with ``failed``, not an exception.
@@ -32,31 +49,69 @@ def simulate(item, record=None, time_step=None, *, predictability=True, **tables
     Relative paths start at the working folder. Releases the GIL: threads run side by side, and every
     run has the same bits as alone.
     """
-    job = {"schema": "gurney-job/1", "item": _item(item), **tables}
+    job: jobs.Job = {"schema": "gurney-job/1", "item": _item(item), **tables}
     samples, step = None, 0.0
-    if record is not None and not isinstance(record, (str, os.PathLike, dict)):
+    if isinstance(record, Record) and time_step is None:
+        samples, step = record.acceleration, record.time_step
+    elif record is not None and not isinstance(record, (str, os.PathLike, Mapping, Record)):
         samples, step = _samples(record), _step(time_step)
     elif time_step is not None:
         raise InputError("time_step goes with an array; of a file it is "
                          "record={'file': ..., 'time_step_s': ...}")
-    elif record is not None:
-        stated = record if isinstance(record, dict) else {"file": os.fspath(record)}
+    elif isinstance(record, (str, os.PathLike, Mapping)):
+        stated = dict(record) if isinstance(record, Mapping) else {"file": os.fspath(record)}
         job["excitation"] = {**_table(job, "excitation"), "record": stated}
-    return Run(_engine().simulate("simulate.json", _text(job), samples, step,
-                                  _choice("predictability", predictability)))
+    return Run(engine.module().simulate("simulate.json", jobs.text(job), samples, step,
+                                        _choice("predictability", predictability)))
 
 
-def simulate_job(path, *, predictability=True):
-    """Runs a job file of a single run, as ``gurney run`` does.
+def simulate_many(cases: Iterable[Mapping[str, Any]], *, threads: int | None = None) -> Runs:
+    """Many runs, side by side.
 
-    :returns: :class:`Run`
-    :raises InputError: all errors of the job and its files, each as ``file:line:column: what``
+    :param cases: the arguments of :func:`simulate` of each run, by name:
+        ``{"item": "icu_bed", "record": pulse, "time_step": 0.005}``
+    :param threads: all of the machine if not stated; the runs have the same bits for any number
+    :returns: :class:`Runs`, in the order of the cases
+    :raises InputError: of the first case that is wrong
     """
-    name = os.fsdecode(path)
-    if "\0" in name:
-        raise InputError(f"{name!r}: a path has no NUL character")
-    return Run(_engine().simulate(name, None, None, 0.0,
-                                  _choice("predictability", predictability)))
+    given = [dict(case) for case in cases]
+    if threads is not None and threads < 1:
+        raise InputError(f"threads = {threads}: must be 1 or more")
+    with multiprocessing.pool.ThreadPool(threads or os.cpu_count()) as pool:
+        return Runs(given, pool.map(lambda case: simulate(**case), given, chunksize=1))
+
+
+def run(job: str | os.PathLike[str] | Mapping[str, Any],
+        overrides: Mapping[str, Any] | None = None, *, predictability: bool = True,
+        **more: Any) -> Run:
+    """Runs a job of a single run with other values, as ``gurney run`` does with the changed file.
+
+    :param job: the path of a job file, or a job as a dict (:func:`gurney.read_job`)
+    :param overrides: values by their dotted keys, ``{"item.brakes": True}``; see :func:`gurney.patched`
+    :param more: the same with ``__`` for each dot: ``settings__duration_s=12``
+    :returns: :class:`Run`
+    :raises InputError: all errors of the job and its files, each with its place: of a file
+        ``job.toml:3:13: what``, of a changed one ``job.toml:/item/brakes: what``
+
+    Relative paths in a file start at its folder, in a dict at the working folder.
+    """
+    changes = {**(overrides or {}), **jobs.dotted(more)}
+    text: str | None = None
+    if isinstance(job, Mapping):
+        name, text = "job.json", jobs.text(jobs.patched(job, changes))
+    else:
+        name = os.fsdecode(job)
+        if "\0" in name:
+            raise InputError(f"{name!r}: a path has no NUL character")
+        if changes:
+            text = jobs.text(jobs.patched(jobs.read_job(name), changes))
+    return Run(engine.module().simulate(name, text, None, 0.0,
+                                        _choice("predictability", predictability)))
+
+
+def simulate_job(path: str | os.PathLike[str], *, predictability: bool = True) -> Run:
+    """Runs a job file of a single run as it is: :func:`run` without changes."""
+    return run(path, predictability=predictability)
 
 
 class Run:
@@ -66,62 +121,135 @@ class Run:
     ``warnings`` and ``items`` (names). Numbers are in SI units, angles in radians; NaN: there is none.
     """
 
-    def __init__(self, run):
+    def __init__(self, run: Any) -> None:
         self._run = run
-        self.outcome, self.failed, self.cause = run.outcome, run.failed, run.cause
-        self.end_time, self.warnings, self.items = run.end_time, run.warnings, run.items
+        self.outcome: str = run.outcome
+        self.failed: bool = run.failed
+        self.cause: str = run.cause
+        self.end_time: float = run.end_time
+        self.warnings: list[str] = run.warnings
+        self.items: list[str] = run.items
 
     @cached_property
-    def demands(self):
+    def demands(self) -> dict[str, dict[str, float]]:
         """``demands[item][name]``; empty if the run failed."""
-        return self._run.demands()
+        found: dict[str, dict[str, float]] = self._run.demands()
+        return found
 
     @cached_property
-    def wheels(self):
+    def wheels(self) -> dict[str, dict[str, dict[str, float]]]:
         """Demands of the wheels, ``wheels[item][wheel][name]``."""
-        return self._run.wheels()
+        found: dict[str, dict[str, dict[str, float]]] = self._run.wheels()
+        return found
 
     @cached_property
-    def points(self):
+    def points(self) -> dict[str, dict[str, dict[str, float]]]:
         """Demands of the marked points, ``points[item][point][name]``."""
-        return self._run.points()
+        found: dict[str, dict[str, dict[str, float]]] = self._run.points()
+        return found
 
     @cached_property
-    def histories(self):
+    def histories(self) -> dict[str, Array]:
         """Arrays of numpy by name, with the dimensions of the results file: ``time``; then
         ``displacement`` (time, item, axis), ``yaw`` (time, item), ``normal_force`` (time, wheel),
         ``point_velocity`` (time, point, axis) and so on."""
-        return self._run.histories()
+        found: dict[str, Array] = self._run.histories()
+        return found
 
     @cached_property
-    def results(self):
+    def results(self) -> Results:
         """The same as :class:`gurney.Results`, with units, in memory."""
         return Results(self._run.results())
 
-    def save(self, path):
+    def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the results file, byte for byte that of ``gurney run``, if it does not exist."""
         with open(path, "xb") as file:
             file.write(self._run.results())
 
-    def __repr__(self):
+    def to_frame(self) -> pandas.DataFrame:
+        """A row for each item with its demands, index ``item``; ``attrs["units"]`` has the units.
+        Empty if the run failed."""
+        if self.failed:
+            return pandas.DataFrame(index=pandas.Index([], name="item"))
+        frame = self.results.demands
+        flat = frame.droplevel("run")
+        flat.attrs = frame.attrs
+        return flat
+
+    def play(self, height: int = 600) -> Page:
+        """The page of `gurney play`: the run in three dimensions, in a notebook or saved."""
+        return Page(self._page("play"), height)
+
+    def report(self, height: int = 800) -> Page:
+        """The page of `gurney report`."""
+        return Page(self._page("report"), height)
+
+    def _page(self, command: str) -> str:
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "run.h5")
+            self.save(path)
+            return program.page(command, path)
+
+    def _repr_html_(self) -> str:
+        title = f"<p>{escape(', '.join(self.items))}: {self.outcome} at {self.end_time:g} s</p>"
+        if self.failed:
+            return title + f"<p>{escape(self.cause)}</p>"
+        units = self.results.demands.attrs["units"]
+        shown = self.to_frame().rename(columns=lambda name: f"{name} [{units[name]}]")
+        html: str = shown.T.to_html(float_format="{:.4g}".format)
+        return title + html
+
+    def __repr__(self) -> str:
         return f"<gurney run of {', '.join(self.items)}: {self.outcome} at {self.end_time:g} s>"
 
 
-def _item(item):
+class Runs(list[Run]):
+    """Runs in the order of their ``cases``."""
+
+    def __init__(self, cases: Iterable[Mapping[str, Any]], runs: Iterable[Run]) -> None:
+        super().__init__(runs)
+        self.cases = list(cases)
+
+    def to_frame(self) -> pandas.DataFrame:
+        """A row for each item of each run, index ``(run, item)``: the numbers, texts and booleans of
+        its case, by dotted names (``item.brakes``), ``outcome``, and the demands in SI units."""
+        rows = []
+        for number, (case, run) in enumerate(zip(self.cases, self)):
+            given = {**dict(_scalars(case, "")), "outcome": run.outcome}
+            for item in run.items:
+                rows.append({"run": number, "item": item, **{f"case.{name}" if name == "item" else name:
+                             value for name, value in given.items()}, **run.demands.get(item, {})})
+        return pandas.DataFrame(rows).set_index(["run", "item"]) if rows else pandas.DataFrame()
+
+    def _repr_html_(self) -> str:
+        html: str = self.to_frame().to_html(float_format="{:.4g}".format, max_rows=20, max_cols=12)
+        return html
+
+
+def _scalars(value: Any, name: str) -> Iterable[tuple[str, Any]]:
+    """Numbers, texts and booleans with their dotted names."""
+    if isinstance(value, Mapping):
+        for key, inner in value.items():
+            yield from _scalars(inner, f"{name}.{key}" if name else str(key))
+    elif isinstance(value, (str, numbers.Real, numpy.bool_)):
+        yield name, value
+
+
+def _item(item: Any) -> Any:
     if isinstance(item, (str, os.PathLike)):
         return {"equipment": os.fspath(item)}
     return item
 
 
-def _is_real(value):
+def _is_real(value: object) -> bool:
     return isinstance(value, numbers.Real) and not isinstance(value, (bool, numpy.bool_))
 
 
-def _samples(record):
+def _samples(record: Any) -> Array:
     """An array of real numbers; numpy would make some of booleans, texts, dates and masks too."""
-    masked = int(numpy.ma.count_masked(record)) if numpy.ma.isMaskedArray(record) else 0
+    masked = int(numpy.sum(record.mask)) if isinstance(record, numpy.ma.MaskedArray) else 0
     if masked:
-        raise InputError(f"record: {masked} of {numpy.ma.size(record)} samples are masked; a "
+        raise InputError(f"record: {masked} of {record.size} samples are masked; a "
                          "record has no gaps")
     try:
         array = numpy.asarray(record)
@@ -136,7 +264,7 @@ def _samples(record):
         raise InputError(f"record: not an array of numbers: {error}") from error
 
 
-def _step(time_step):
+def _step(time_step: Any) -> float:
     if time_step is None:
         raise InputError("record: an array needs time_step [s]")
     if isinstance(time_step, numpy.ndarray) and time_step.ndim == 0:
@@ -146,45 +274,14 @@ def _step(time_step):
     return float(time_step)
 
 
-def _choice(name, value):
+def _choice(name: str, value: object) -> bool:
     if not isinstance(value, (bool, numpy.bool_)):
         raise InputError(f"{name} = {value!r}: must be True or False")
     return bool(value)
 
 
-def _table(job, name):
+def _table(job: jobs.Job, name: str) -> dict[str, Any]:
     table = job.get(name, {})
     if not isinstance(table, dict):
         raise InputError(f"{name} = {table!r}: must be a dict")
     return table
-
-
-def _text(job):
-    try:
-        return json.dumps(job, default=_plain, indent=1)
-    except RecursionError as error:
-        raise InputError("the tables of the job are nested too deep") from error
-    except (TypeError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"the tables of the job cannot be written as JSON: {error}") from error
-
-
-def _plain(value):
-    """What JSON does not know: numbers and arrays of numpy, and paths."""
-    if isinstance(value, (numpy.ndarray, numpy.generic)):
-        return value.tolist()
-    if isinstance(value, pathlib.PurePath):
-        return str(value)
-    raise InputError(f"{value!r}: a job has numbers, texts, lists and dicts")
-
-
-def _engine():
-    try:
-        from . import _engine as engine
-    except ImportError as error:
-        raise ImportError(
-            "gurney.simulate needs the compiled module gurney._engine for this Python: install the "
-            "Debian packages python3-dev and pybind11-dev, build and install Gurney (./dev install), "
-            f"or the package python3-gurney. Reading results works without it. ({error})") from error
-    return engine

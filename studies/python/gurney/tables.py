@@ -1,7 +1,10 @@
 """Groups of an HDF5 file as data frames, and the hash at its end."""
 
+from __future__ import annotations
+
 import hashlib
 import io
+from typing import Any, BinaryIO
 
 import h5py
 import numpy
@@ -13,11 +16,11 @@ _MARK = b"\ngurney sha256 "
 _LINE = len(_MARK) + 64 + 1  # the hash in hexadecimal digits, and the end of the line
 
 
-def _opened(source):
+def _opened(source: str | bytes) -> BinaryIO:
     return io.BytesIO(source) if isinstance(source, bytes) else open(source, "rb")
 
 
-def stated_hash(source):
+def stated_hash(source: str | bytes) -> tuple[str | None, int]:
     """SHA-256 in the last line of the file, and the number of bytes it is of; None: no line."""
     with _opened(source) as file:
         size = file.seek(0, 2)
@@ -28,7 +31,7 @@ def stated_hash(source):
     return line[len(_MARK):-1].decode("ascii", "replace"), size - _LINE
 
 
-def verify(source):
+def verify(source: str | bytes) -> bool:
     """Compares the SHA-256 at the end of a file, or of bytes, with the bytes before it.
 
     :returns: True; False if the file has no hash, because another program wrote into it
@@ -46,13 +49,13 @@ def verify(source):
             found.update(block)
             size -= len(block)
     if found.hexdigest() != stated:
-        name = "run in memory" if isinstance(source, bytes) else source
+        name = source if isinstance(source, str) else "run in memory"
         raise DamagedFile(f"{name}: damaged: its SHA-256 is {found.hexdigest()}, "
                           f"its last line states {stated}")
     return True
 
 
-def attribute(value):
+def attribute(value: Any) -> Any:
     """An attribute as text, number or list."""
     if isinstance(value, bytes):
         return value.decode()
@@ -61,7 +64,7 @@ def attribute(value):
     return value.item() if isinstance(value, numpy.generic) else value
 
 
-def values(dataset, rows=slice(None), raw=False):
+def values(dataset: h5py.Dataset, rows: Any = slice(None), raw: bool = False) -> Any:
     """The values of a dataset; text is decoded, and a missing value is NaN unless ``raw``."""
     data = dataset[rows] if dataset.shape else dataset[()]
     if h5py.check_string_dtype(dataset.dtype) is not None:
@@ -77,7 +80,7 @@ def values(dataset, rows=slice(None), raw=False):
     return data
 
 
-def frame(group, raw=False):
+def frame(group: h5py.Group, raw: bool = False) -> pandas.DataFrame:
     """A table of the file. ``attrs["units"]`` and ``attrs["long_name"]`` describe its columns.
 
     A column with a second dimension becomes one column for each of its entries, ``record_pga.x``.
@@ -101,7 +104,7 @@ def frame(group, raw=False):
     return result
 
 
-def _rows(group):
+def _rows(group: h5py.Group) -> int:
     for name in ("row", "run", "key", "variable", "shape"):
         if name in group:
             return len(group[name])

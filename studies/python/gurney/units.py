@@ -1,5 +1,7 @@
 """Units of limits, hazards and drawn parameters."""
 
+from __future__ import annotations
+
 import math
 
 from .errors import Error
@@ -22,7 +24,7 @@ _ENDINGS = {
 }
 
 
-def factor(unit, si):
+def factor(unit: str, si: str) -> float:
     """The value of one ``unit`` in the SI unit ``si``; refuses units of other quantities."""
     if unit in _TO_SI and _TO_SI[unit][0] == si:
         return _TO_SI[unit][1]
@@ -30,7 +32,7 @@ def factor(unit, si):
     raise Error(f"the unit must be {' or '.join(known) or si}, not '{unit}'")
 
 
-def unit_of_key(key):
+def unit_of_key(key: str) -> str:
     """The unit that the name of a parameter ends with: ``chassis.mass_kg`` is in kg."""
     name = key[:key.rindex("[")] if key.endswith("]") else key
     if len(name) > 2 and name[-2] == ".":  # an axis

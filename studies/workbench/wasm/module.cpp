@@ -1,4 +1,5 @@
 #include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -33,9 +34,15 @@ Json answered(std::string question) {
   using namespace gurney::workbench;
   const std::string verb = taken(question, '\n');
   if (verb == "file") {
-    const std::string name = taken(question, '\n');
-    files()[kFolder + name] = std::move(question);
+    const std::filesystem::path path = std::filesystem::path(kFolder) / taken(question, '\n');
+    files()[path.lexically_normal().string()] = std::move(question);
+    forget_files();
     return Json::object();
+  }
+  if (verb == "item" || verb == "outcome") {
+    const std::string word = taken(question, '\n');
+    return verb == "item" ? item_answer(word, question)
+                          : outcome_answer(question, std::stoul(word));
   }
   if (verb == "case") {
     const std::size_t index = std::stoul(taken(question, '\n'));
@@ -43,6 +50,8 @@ Json answered(std::string question) {
   }
   if (verb == "catalogue") return catalogue_answer();
   if (verb == "plan") return plan_answer(question);
+  if (verb == "source") return source_answer(question);
+  if (verb == "alternatives") return alternatives_answer(question);
   if (verb == "run") return run_answer(question);
   if (verb == "fragility") return fragility_answer(Json::parse(question));
   return {{"error", "unknown question: " + verb}};

@@ -212,6 +212,13 @@ TEST(Demands, AreThoseOfTheActOfTheirItem) {
       // Those of what stands above the floor are in supported_items_test.cpp.
       {"peak_slide", {kMove, kNone, kNone, kNone, kNone}},
       {"time_of_fall", {kMove, -1, -1, -1, -1}},
+      // Those of parts are in parts_test.cpp.
+      {"peak_travel", {kMove, kNone, kNone, kNone, kNone}},
+      {"residual_travel", {kMove, kNone, kNone, kNone, kNone}},
+      {"peak_swing", {kMove, kNone, kNone, kNone, kNone}},
+      {"residual_swing", {kMove, kNone, kNone, kNone, kNone}},
+      {"time_of_release", {kMove, -1, -1, -1, -1}},
+      {"largest_stop_speed", {kMove, kNone, kNone, kNone, kNone}},
   };
   expect_demands(demand_columns(), rows);
 }

@@ -37,7 +37,9 @@ bool has_text(const Node& table, const char* key) {
 /// Places of numbers that stand outside a quantity with a source or an assumption. How many of a
 /// payload an item carries is a choice, as a brake that is on, and no measurement.
 void find_bare_numbers(const Node& node, const config::Document& document, std::string& found) {
-  if (has_text(node, "source") || has_text(node, "assumption") || node.key == "count") return;
+  if (has_text(node, "source") || has_text(node, "assumption") || node.key == "count" ||
+      node.key == "axis")
+    return;
   if (node.is_number()) found += document.where(node.place) + "\n";
   for (const Node& element : node.elements) find_bare_numbers(element, document, found);
 }

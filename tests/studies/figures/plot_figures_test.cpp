@@ -136,6 +136,29 @@ TEST(PlotFigures, StripesMarkWhatOverturned) {
   EXPECT_EQ(count(svg, "<polygon"), 2u) << "areas between fractiles";
 }
 
+/// A page gives the command of the run behind a mark.
+TEST(PlotFigures, MarksNameTheirRuns) {
+  study::DemandRuns all = demands();
+  std::size_t run = 100;
+  for (auto& configuration : all.configurations)
+    for (study::DemandRun& each : configuration.runs) each.run = run++;
+  const std::string stripes = stripes_figure({}, "title", {all}),
+                    cloud = cloud_figure({.most_marks = 10}, "title", {all});
+  EXPECT_THAT(stripes, HasSubstr("data-name=\"off\" data-runs=\"100 101 102 103 104 105"));
+  EXPECT_THAT(stripes, HasSubstr("data-name=\"on, overturned\" data-runs=\"129\""));
+  EXPECT_THAT(cloud, HasSubstr("data-runs=\"100 103 106 109 112\"")) << "every third";
+}
+
+TEST(PlotFigures, PanelsApartArePicturesWithTheNote) {
+  const std::string svg =
+      distribution_figure({.width = 300, .apart = true}, "the title", {demands()});
+  expect_drawn(svg);
+  EXPECT_EQ(count(svg, "<svg "), 2u);
+  EXPECT_EQ(count(svg, "<desc>empirical distribution"), 2u);
+  EXPECT_EQ(count(svg, "<svg "), count(svg, "</svg>"));
+  EXPECT_THAT(svg, Not(HasSubstr("the title")));
+}
+
 TEST(PlotFigures, CloudStatesItsRegression) {
   const std::string svg = cloud_figure({}, "title", {demands()});
   expect_drawn(svg);

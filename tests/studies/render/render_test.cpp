@@ -56,6 +56,26 @@ TEST(Render, WritesTheSameRowsForPeopleAndPrograms) {
   EXPECT_EQ(json(Section{}.add(table())), expected);
 }
 
+/// Words of a cell go to the next line; columns that still do not fit come again below, with the first.
+TEST(Render, FitsTablesIntoTheTerminal) {
+  Table of{"", "", {{"", "state"}, {"", "why"}, {"", "theta"}, {"", "beta"}, {"", "least"}}};
+  of.add(
+      {"hit", "only one intensity has both outcomes, so neither can be estimated", 0.25, 0.5, 1});
+  setenv("COLUMNS", "40", 1);
+  const std::string fitted = text(of);
+  unsetenv("COLUMNS");
+  EXPECT_EQ(fitted,
+            "state  why                     theta\n"
+            "hit    only one intensity has   0.25\n"
+            "       both outcomes, so\n"
+            "       neither can be\n"
+            "       estimated\n"
+            "\n"
+            "state  beta  least\n"
+            "hit     0.5      1\n");
+  EXPECT_EQ(text(of).find('\n'), text(of).rfind("hit ") - 1) << "a file has whole rows";
+}
+
 TEST(Render, EscapesWhatWouldEndACellOfMarkdown) {
   Table of{"", "", {{"", "what"}, {"", "error", {".1e"}}}};
   of.add({"|x|", 0.00123});

@@ -19,8 +19,10 @@ auto members(PointDemands& s) {
   return std::tie(a, b, c, d);
 }
 auto members(Demands& s) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y, z, aa] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y, z, aa);
+  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y, z, aa, ab, ac, ad,
+         ae, af, ag] = s;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y, z, aa, ab,
+                  ac, ad, ae, af, ag);
 }
 auto members(EnergyAccount& s) {
   auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = s;

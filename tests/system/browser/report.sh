@@ -74,11 +74,46 @@ ask "$shared click(all, peak); click(all, peak); return numbers(all, peak)[0] ==
 ask "$shared const link = document.querySelector('a.save'); link.href = '#';
   link.addEventListener('click', (event) => event.preventDefault()); link.click();
   return [link.href.startsWith('blob:'), link.download.endsWith('.svg')];" '[true,true]'
+# Figures: values where one points, the command of the run behind a mark, parts enlarged, and all by keys.
+read -r -d '' pointing << 'JS'
+const paper = document.querySelector("#stripes-peak-displacement-figure .paper"), svg = paper.querySelector("svg");
+const tip = document.getElementById("value");
+const key = (name) => paper.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true }));
+const point = (type, x, y) => svg.dispatchEvent(new PointerEvent(type, { clientX: x, clientY: y, bubbles: true, button: 0 }));
+const middle = (mark) => { const box = mark.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
+const marks = svg.querySelector("g.marks"), runs = marks.dataset.runs.split(" ");
+const labels = () => [...svg.querySelectorAll("g.ticks-x text")].map((each) => each.textContent);
+JS
+# The last run has the largest intensity: its demand in the table is that at its mark.
+ask "$shared $pointing const mark = marks.children[runs.indexOf('29')]; point('pointermove', ...middle(mark));
+  const said = Number(/Peak displacement \\(m\\): ([0-9.e-]+)/.exec(tip.innerText)[1]);
+  const row = [...document.querySelectorAll('#cases table:not(#cases-all) tbody tr')].find((each) => each.cells[0].textContent === '29');
+  const known = row ? Number(row.cells[column(row.closest('table'), peak)].dataset.value) : said;
+  return [runs.length, tip.hidden, tip.innerText.includes('run 29'), Math.abs(said - known) <= 2e-3 * known];" '[30,false,true,true]'
+ask "$shared $pointing const [x, y] = middle(marks.children[runs.indexOf('12')]);
+  point('pointerdown', x, y); point('pointerup', x, y);
+  return [tip.querySelector('code').textContent, tip.querySelector('button').textContent];" '["gurney replay study.h5 12","Copy"]'
+ask "$shared $pointing const frame = svg.querySelector('g.axes > rect').getBoundingClientRect(), before = labels();
+  const at = (part) => [frame.x + part * frame.width, frame.y + part * frame.height];
+  point('pointerdown', ...at(0.5)); point('pointermove', ...at(0.6)); point('pointerup', ...at(0.75));
+  const button = svg.closest('figure').querySelector('button.whole'), zoomed = labels(), shown = !button.hidden;
+  button.click();
+  return [Number(zoomed[0]) > Number(before[0]), Number(zoomed.at(-1)) < Number(before.at(-1)), zoomed.length > 2, shown,
+    button.hidden, String(labels()) === String(before)];" '[true,true,true,true,true,true]'
+ask "$shared $pointing key('ArrowRight'); const first = tip.innerText; key('ArrowRight'); const second = tip.innerText;
+  key('Enter'); const command = tip.querySelector('code').textContent; key('+'); const zoomed = labels().length;
+  const away = svg.querySelector('g.zoomed') !== null; key('0');
+  return [paper.tabIndex, first !== second, /^gurney replay study.h5 [0-9]+\$/.test(command), away, svg.querySelector('g.zoomed') === null];" '[0,true,true,true,true]'
 # Nothing is wider than a telephone but what scrolls by itself.
 printf 'return document.documentElement.scrollWidth <= innerWidth;\n' > script.js
 with_script study.html script.js copy.html
 [ "$(dom copy.html --window-size=500,900 | found)" = true ] ||
   complain "the page is wider than its window"
+# Panels stand beside each other where there is room, else below.
+printf 'return new Set([...document.querySelectorAll("#demands .figures figure")].map((each) => each.offsetTop)).size;\n' > script.js
+with_script study.html script.js copy.html
+[ "$(dom copy.html --window-size=1400,900 | found)" = 1 ] || complain "panels are not side by side"
+[ "$(dom copy.html --window-size=500,900 | found)" = 2 ] || complain "panels are not stacked"
 
 # 100,000 runs open in less than 3 s, measured by the browser; a busy machine has three tries.
 "$write_large_study" large.h5

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The workbench in a real browser, with a person's hands: an item is dragged, moved and turned with keys; an
 # error of the job is shown at its line and goes; damaged records are refused, a good one is run; a run is kept
-# beside the next; a hundred runs give curves; demands are those of the program.
+# beside the next; a hundred runs give curves; demands are those of the program; an item is edited with pointer,
+# keys and as text, and stands in the room then; what would have prevented it is run, and taken over.
 # Skipped (77) without Chromium or the page.
 # usage: workbench.sh GURNEY SOURCE_FOLDER
 set -uo pipefail
@@ -19,7 +20,7 @@ found_by() {
     --host-resolver-rules='MAP * ~NOTFOUND' --user-data-dir="$profile" --window-size=1400,900 \
     --enable-logging=stderr "file://$PWD/$1" 2> log &
   local process=$!
-  for _ in $(seq 600); do
+  for _ in $(seq 1800); do
     grep -aq 'CONSOLE.*"found' log && break
     kill -0 "$process" 2> /dev/null || break
     sleep 0.5
@@ -36,7 +37,10 @@ with() { awk -v script="$2" '/<\/body>/ {print "<script>"; while ((getline line 
 cat > try.js << 'JS'
 (async () => {
   const found = {};
-  const until = async (what) => { while (!what()) await new Promise((next) => setTimeout(next, 20)); };
+  const until = async (what) => {
+    for (const start = performance.now(); !what(); await new Promise((next) => setTimeout(next, 20)))
+      if (performance.now() - start > 200e3) throw new Error(`waits in vain for ${what}`);
+  };
   const errors = () => element('errors').textContent;
   const item = (i) => document.querySelector(`[data-item="${i}"]`);
   try {
@@ -77,11 +81,58 @@ cat > try.js << 'JS'
     bench.keep();
     await bench.run();
     found.compared = [...document.querySelectorAll('#kept h2')].map((each) => each.textContent).join();
+    bench.play = () => {};  // without a graphics card it takes the time of the engines
+    element('player').removeAttribute('srcdoc');
     await bench.many();
     found.curves = window.lastCurves.curves.map((curve) => curve.runs);
     found.drawn = document.querySelectorAll('#curves svg').length;
+
+    bench.chosen = 1;
+    await bench.editItem();
+    const editor = bench.editor;
+    const part = (name) => document.querySelector(`#item-plan [data-part="${name}"]`);
+    const file = element('item-text');
+    found.item_facts = element('item-facts').textContent;
+    for (let i = 0; i < 3; ++i) part('caster 0').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true }));
+    await until(() => file.value.includes('value = [248, 213, 0]'));
+    await editor.steps;
+    found.item_kept = file.value.includes('# base');
+    const svg = element('item-plan');
+    svg.setPointerCapture = () => {};
+    const scale = svg.getScreenCTM().a;
+    const at = part('caster 0').getBoundingClientRect();
+    const hand = (node, type, dx) => node.dispatchEvent(new PointerEvent(type, { clientX: at.x + dx, clientY: at.y, pointerId: 1, bubbles: true }));
+    hand(part('caster 0'), 'pointerdown', 0);
+    for (const share of [0.3, 0.6, 1]) hand(svg, 'pointermove', -0.1 * share * scale);
+    hand(svg, 'pointerup', -0.1 * scale);
+    await until(() => file.value.includes('position_mm = [148, 213, 0]'));
+    await editor.granting;
+    found.item_moved = element('item-facts').textContent;
+    const good_item = file.value;
+    file.value = good_item.replace('name = "front left"', 'nam = "front left"');
+    await editor.read();
+    found.item_error = element('item-errors').textContent;
+    file.value = good_item;
+    await editor.read();
+    found.item_mended = element('item-errors').textContent;
+    const before = window.lastRun;
+    element('item-use').click();
+    await until(() => window.lastRun !== before);
+    found.used = bench.text.includes('equipment = "my_icu_ventilator.toml"') && !element('roompage').hidden;
+    found.item = good_item;
+    found.errors_of_item = errors();
+
+    element('prevent').click();
+    await until(() => window.lastPrevented);
+    found.prevented = window.lastPrevented.filter((row) => !row.error).length;
+    const ran = window.lastRun;
+    const take = document.querySelector('#prevented button');
+    found.taken = take.getAttribute('aria-label');
+    take.click();
+    await until(() => window.lastRun !== ran);
+    found.errors_of_taking = errors();
   } catch (error) {
-    found.thrown = `${error}`;
+    found.thrown = `${error} ${error.stack}`;
   }
   console.log(`found${JSON.stringify(found)}@end`);
 })();
@@ -108,6 +159,18 @@ value record | grep -q "mine" || complain "a dropped record is not run: $(value 
 [ "$(value compared)" = Now,Before ] || complain "runs do not stand beside each other: $(value compared)"
 value curves | grep -q "100" || complain "a hundred runs are not made: $(value curves)"
 [ "$(value drawn)" -gt 0 ] || complain "no curve is drawn"
+value item_facts | grep -q "mass.*32.0 kg.*tips from.*rolls from\|mass.*32.0 kg.*rolls from.*tips from" ||
+  complain "the editor says of the item: $(value item_facts)"
+[ "$(value item_kept)" = true ] || complain "a comment of the item is lost"
+[ "$(value item_facts)" != "$(value item_moved)" ] || complain "the facts do not follow a drag: $(value item_moved)"
+value item_error | grep -q "^line [0-9]*: .*nam" || complain "an error of the item has no line: $(value item_error)"
+[ -z "$(value item_mended)" ] || complain "an error of the item stays: $(value item_mended)"
+[ "$(value used)" = true ] || complain "the edited item does not stand in the room"
+[ -z "$(value errors_of_item)$(value errors_of_taking)" ] || complain "$(value errors_of_item) $(value errors_of_taking)"
+value item > edited.toml
+expect 0 "edited.toml: item 'ICU ventilator on cart' is valid" "$gurney" equipment check edited.toml
+[ "$(value prevented)" -gt 5 ] || complain "only $(value prevented) changes are run"
+value taken | grep -q "^Take over: " || complain "no change can be taken over"
 [ -s console ] && { cp console stdout; complain "the page logs"; }
 
 # A file that lost its end still opens; one whose engine is damaged says so.

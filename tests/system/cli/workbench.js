@@ -1,5 +1,6 @@
 // Runs a job in the module and compares all its findings with those of the program.
 // usage: workbench.js SOURCE_FOLDER MODULE JOB [FINDINGS.json]; 1: an error of the job, or a difference
+// JOB: a job, or a page that `gurney workbench` has filled with one and its files
 'use strict';
 const fs = require('fs');
 const [source, wasm, job, expected] = process.argv.slice(2);
@@ -25,7 +26,13 @@ function compare(path, ours, theirs) {
   }
 }
 
-const answer = engine.ask('run', fs.readFileSync(job, 'utf8'));
+let text = fs.readFileSync(job, 'utf8');
+if (job.endsWith('.html')) {
+  const given = JSON.parse(text.match(/id="given">(.*)<\/script>/)[1]);
+  for (const [name, bytes] of given.files) engine.ask('file', name, Buffer.from(bytes, 'base64'));
+  text = given.text;
+}
+const answer = engine.ask('run', text);
 if (answer.error) {
   console.log(answer.error);
   // The engine goes on after an error.

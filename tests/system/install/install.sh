@@ -53,6 +53,12 @@ print(gurney.simulate('only_here', settings={'duration_s': 0.1}).outcome, 'only_
   rm "$prefix/share/gurney/equipment/items/only_here.toml"
 fi
 
+if [ -e "$source/build/workbench/workbench.html" ]; then
+  expect 0 "filled.html" "$installed" workbench icu_bed -o filled.html
+else
+  expect 1 "share/gurney/workbench.html: the page of the workbench is not there" "$installed" workbench -o filled.html
+fi
+
 for page in share/man/man1/gurney.1 share/bash-completion/completions/gurney \
     share/zsh/vendor-completions/_gurney; do
   [ -s "$prefix/$page" ] || complain "$page is not installed"

@@ -9,7 +9,7 @@ command -v git > /dev/null || { echo "skipped: git is not here"; exit 77; }
 export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
 unset GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE
 
-versions=(CHANGELOG.md CITATION.cff studies/python/pyproject.toml docs/cite.md docs/packaging/conda/meta.yaml
+versions=(CHANGELOG.md CITATION.cff pyproject.toml docs/cite.md docs/packaging/conda/meta.yaml
   docs/packaging/spack/packages/gurney/package.py)
 owned=(.github/SECURITY.md docs/paper.md docs/paper.bib docs/site/mkdocs.yml studies/build_info/package.cmake)
 mkdir clone

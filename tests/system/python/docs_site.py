@@ -77,6 +77,14 @@ def check_readme(site):
             assert anchor in Page(os.path.join(site, page)).anchors, f"{path}#{anchor}"
 
 
+def check_start(site):
+    """The start page has what README.md says."""
+    with open(os.path.join(site, "index.html"), encoding="utf-8") as file:
+        start = file.read()
+    for told in ("Install and first run", "What it does not do", "images/icu_ventilator_shake.png"):
+        assert told in start, told
+
+
 with tempfile.TemporaryDirectory() as site:
     built = subprocess.run(["mkdocs", "build", "--strict", "--site-dir", site, "-f",
                             os.path.join(support.SOURCE, "docs/site/mkdocs.yml")],
@@ -85,4 +93,5 @@ with tempfile.TemporaryDirectory() as site:
     assert built.returncode == 0 and "WARNING" not in report, report
     assert "not included in the \"nav\"" not in report, report
     check_readme(site)
+    check_start(site)
     print(f"{check(site)} pages, every link leads somewhere")

@@ -26,6 +26,8 @@ assert [text for kind, text in blocks if kind == "toml"] == shipped
 with tempfile.TemporaryDirectory() as folder:
     for name in ("studies", "equipment", "groundmotions"):
         shutil.copytree(os.path.join(support.SOURCE, name), os.path.join(folder, name))
+    os.makedirs(os.path.join(folder, "build/release"))
+    os.symlink(support.BUILT, os.path.join(folder, "build/release/python"))
     os.chdir(folder)
     environment = {**os.environ,
                    "PATH": f"{os.path.dirname(support.GURNEY)}:{os.environ['PATH']}"}
@@ -64,7 +66,7 @@ with tempfile.TemporaryDirectory() as folder:
     import matplotlib
     matplotlib.use("Agg")
     examples = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-    assert len(examples) == 4, examples
+    assert len(examples) == 7, examples
     for example in examples:
         if "simulate(" in example and not support.has_module():
             print("gurney.simulate is not built: its example was not run")

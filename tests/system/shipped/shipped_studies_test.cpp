@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -29,6 +30,7 @@ const std::vector<Shipped> kShipped = {
     {"trolley_orientation", 48, 624, 3},
     {"icu_ventilator_fragility", 2, 60, 8},
     {"icu_ventilator_ida", 2, 40, 10},
+    {"crash_cart_drawers", 4, 40, 5},
 };
 
 std::string path_of(const std::string& name) {
@@ -104,6 +106,31 @@ bool has_level(const StudyJob& job, std::size_t configuration, const std::string
     if (study.factors[i].name == factor)
       return job.configurations()[configuration].levels[i] == level;
   throw std::logic_error("no factor " + factor);
+}
+
+// The table of the page: under its strongest motions a braked cart's drawers open where latches alone hold them.
+TEST(CrashCartDrawers, OpenOnABrakedCartUnlessTheyAreLocked) {
+  const StudyJob job(path_of("crash_cart_drawers"));
+  const StudyMotions motions(job);
+  const Plan plan(job, motions);
+  const Batch batch{job, motions, plan};
+  int found = 0;
+  for (std::size_t index = 0; index < plan.tasks() && found < 2; ++index) {
+    const std::size_t c = plan.task(index).configuration;
+    const bool locked = has_level(job, c, "drawers", "locked");
+    if (!has_level(job, c, "brakes", "on") || (found == 1 && !locked)) continue;
+    ++found;
+    const StudyRun run = run_task(batch, index, [] { return true; }).runs.back();
+    double farthest = 0;
+    for (const ItemResponse& item : run.response.items)
+      farthest = std::fmax(farthest, item.demands.peak_travel);
+    if (locked) {
+      EXPECT_LT(farthest, 1e-6);
+    } else {
+      EXPECT_GT(farthest, 0.3) << "some 0.4 m to the stop";
+    }
+  }
+  EXPECT_EQ(found, 2);
 }
 
 /// A braked wheel stands still, but its fork swivels: with all forks parallel the trolley hangs on

@@ -1,0 +1,52 @@
+#include "engine/record/joint_log.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gurney {
+
+JointLog::JointLog(const Assembly& assembly, const SceneState& at_start)
+    : assembly_(assembly), courses_(assembly.joints.size()) {
+  for (std::size_t j = 0; j < courses_.size(); ++j)
+    courses_[j].peak = std::abs(courses_[j].residual = motion(j, at_start));
+}
+
+/// q, or where a joint has none the angle between the part and its base.
+double JointLog::motion(std::size_t j, const SceneState& state) const {
+  const Joint& joint = assembly_.joints[j].joint();
+  if (joint.kind == Joint::Kind::kHinge || joint.kind == Joint::Kind::kSlider)
+    return state.joints[j].coordinate;
+  return state.items[joint.base].rotation.angularDistance(state.items[joint.part].rotation);
+}
+
+void JointLog::observe(const Stepper::Step& step) {
+  for (std::size_t j : step.island->joints) {
+    const JointState &from = step.from->joints[j], &to = step.to->joints[j];
+    Course& course = courses_[j];
+    course.residual = motion(j, *step.to);
+    course.peak = std::max(course.peak, std::abs(course.residual));
+    if (from.latched && !to.latched && course.released_at < 0)
+      course.released_at = step.time + step.duration;
+    const auto stops = assembly_.joints[j].approaches(to, 0);
+    for (std::size_t side = 0; side < stops.size(); ++side)
+      if (stops[side].compression > 0)
+        course.stop_speed = std::max(course.stop_speed, to.approach[side]);
+  }
+}
+
+void JointLog::finish(std::vector<ItemResponse>& items) const {
+  for (std::size_t j = 0; j < courses_.size(); ++j) {
+    const JointLaw& law = assembly_.joints[j];
+    const Joint& joint = law.joint();
+    const Course& course = courses_[j];
+    Demands& demands = items[joint.part].demands;
+    demands.time_of_release = course.released_at;
+    if (law.has_stops()) demands.largest_stop_speed = law.arm() * course.stop_speed;
+    if (joint.kind == Joint::Kind::kFixed) continue;
+    const bool slides = joint.kind == Joint::Kind::kSlider;
+    (slides ? demands.peak_travel : demands.peak_swing) = course.peak;
+    (slides ? demands.residual_travel : demands.residual_swing) = course.residual;
+  }
+}
+
+}  // namespace gurney

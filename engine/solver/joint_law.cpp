@@ -1,0 +1,236 @@
+#include "engine/solver/joint_law.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gurney {
+namespace {
+
+using JointKind = gurney::Joint::Kind;
+
+/// How a stop pushes: by its stiffness and restitution, without friction.
+ContactConstants stop_of(const Joint& joint) {
+  return {ContactConstants::Kind::kRestitution, joint.stop_stiffness, joint.restitution, 0, 0};
+}
+
+/// The rotation vector of R: its axis times its angle.
+Vector3 rotation_vector(const Matrix3& rotation) {
+  const Quaternion q(rotation);
+  const Vector3 v = (q.w() < 0 ? -1.0 : 1.0) * q.vec();
+  const double sine = v.norm();
+  if (sine < 1e-12) return 2 * v;
+  return 2 * std::atan2(sine, std::abs(q.w())) / sine * v;
+}
+
+/// J' with theta' = J w for the angular velocity w that turns a body of the rotation vector theta,
+///   J = 1 - [theta] / 2 + (1 / a^2 - (1 + cos a) / (2 a sin a)) [theta]^2,   a = |theta|
+/// (Iserles et al. 2000, Acta Numerica 9:215, section B).
+Matrix3 transposed_rate_matrix(const Vector3& theta) {
+  const double angle = theta.norm();
+  const double quadratic =
+      angle < 1e-3 ? 1.0 / 12
+                   : 1 / (angle * angle) - (1 + std::cos(angle)) / (2 * angle * std::sin(angle));
+  Matrix3 cross;
+  cross << 0, -theta.z(), theta.y(), theta.z(), 0, -theta.x(), -theta.y(), theta.x(), 0;
+  return Matrix3::Identity() + 0.5 * cross + quadratic * cross * cross;
+}
+
+}  // namespace
+
+JointLaw::JointLaw(const Joint& joint, const Mechanism& base, const Mechanism& part, double carried)
+    : joint_(joint),
+      on_base_(joint.point - base.chassis.center_of_mass),
+      on_part_(joint.point - part.chassis.center_of_mass),
+      hold_(carried * kHoldFrequency * kHoldFrequency),
+      stop_(stop_of(joint)) {
+  frame_.col(2) = joint.axis;
+  frame_.col(0) = joint.axis.unitOrthogonal();
+  frame_.col(1) = joint.axis.cross(frame_.col(0));
+  const double largest =
+      Eigen::SelfAdjointEigenSolver<Matrix3>(part.chassis.inertia).eigenvalues().maxCoeff();
+  hold_turn_ = hold_ * (largest / part.chassis.mass + on_part_.squaredNorm());
+  friction_.stiffness = joint.friction / kFrictionYield;
+}
+
+JointState JointLaw::initial_state() const {
+  JointState state;
+  state.latched = joint_.latch > 0;
+  return state;
+}
+
+JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) const {
+  Rows result;
+  const Matrix3 frame = base.rotation * frame_;
+  const Vector3 arm = part.rotation * on_part_;  // of the part's point
+  const Vector3 from_base = part.position + arm - base.position;
+  const Vector3 apart = from_base - base.rotation * on_base_;
+  const auto add = [&](double value, double stiffness, double damping) -> Row& {
+    Row& row = result.rows[result.count++];
+    row.value = value;
+    row.stiffness = stiffness;
+    row.damping = damping;
+    return row;
+  };
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 d = frame.col(k);
+    const bool free = slides() && k == 2;
+    if (free) result.along = result.count;
+    Row& row = add(d.dot(apart), free ? joint_.stiffness : hold_,
+                   free ? joint_.damping : hold_ * kHoldTime);
+    row.part << d, arm.cross(d);
+    row.base << d, from_base.cross(d);
+  }
+  const auto turning = [](const Vector3& d, Row& row) {
+    row.part << Vector3::Zero(), d;
+    row.base = row.part;
+  };
+  const Matrix3 relative = base.rotation.transpose() * part.rotation;
+  if (joint_.kind == JointKind::kHinge) {
+    const Vector3 axis = relative * joint_.axis;
+    for (int k = 0; k < 2; ++k)
+      turning(base.rotation * axis.cross(frame_.col(k)),
+              add(frame_.col(k).dot(axis), hold_turn_, hold_turn_ * kHoldTime));
+    const Vector3 across = relative * frame_.col(0);
+    const double angle = std::atan2(frame_.col(1).dot(across), frame_.col(0).dot(across));
+    result.along = result.count;
+    turning(frame.col(2), add(turn + std::remainder(angle - turn, 2 * std::numbers::pi),
+                              joint_.stiffness, joint_.damping));
+    return result;
+  }
+  const Vector3 theta = rotation_vector(relative);
+  const Matrix3 to_rates = transposed_rate_matrix(theta);
+  for (int k = 0; k < 3; ++k) {
+    const bool free =
+        joint_.kind == JointKind::kBall || (joint_.kind == JointKind::kFlexible && k < 2);
+    if (free && joint_.stiffness == 0 && joint_.damping == 0) continue;
+    turning(base.rotation * to_rates * frame_.col(k),
+            add(frame_.col(k).dot(theta), free ? joint_.stiffness : hold_turn_,
+                free ? joint_.damping : hold_turn_ * kHoldTime));
+  }
+  return result;
+}
+
+ImpactLaw::Stage JointLaw::at_stop(const Stage& stage, int side) const {
+  const double q = stage.rows.rows[*stage.rows.along].value;
+  ImpactLaw::Stage at;
+  at.tau = stage.tau;
+  at.compression = side == 0 ? joint_.lower - q : q - joint_.upper;
+  at.approach_speed = stage.start.approach[static_cast<std::size_t>(side)];
+  return at;
+}
+
+JointLaw::Along JointLaw::along(const Stage& stage, double rate) const {
+  const Row& row = stage.rows.rows[*stage.rows.along];
+  const double tau = stage.tau, q = row.value + tau * rate;
+  Along result;
+  Force& sum = result.force;
+  sum.force = row.stiffness * (q - joint_.rest) + row.damping * rate;
+  sum.slope = tau * row.stiffness + row.damping;
+  if (joint_.friction > 0) {
+    result.friction = friction_.evaluate(stage.start.wind, rate, joint_.friction, tau);
+    sum.force -= result.friction.torque;
+    sum.slope += result.friction.rate_slope;
+  }
+  if (stage.start.latched) {
+    const double k = latch_stiffness(), c = k * kHoldTime;
+    sum.force += k * (q - stage.start.latched_at) + c * rate;
+    sum.slope += tau * k + c;
+  }
+  for (int side = 0; side < 2; ++side) {
+    if (std::isinf(side == 0 ? joint_.lower : joint_.upper)) continue;
+    const double away = side == 0 ? 1 : -1;
+    Matrix3 slope;
+    const Vector3 push = stop_.force(at_stop(stage, side), {0, 0, away * rate}, slope);
+    sum.force -= away * push.z();
+    sum.slope += slope(2, 2);
+  }
+  return result;
+}
+
+JointLaw::Force JointLaw::force(const Stage& stage, std::size_t index, double rate) const {
+  if (index == stage.rows.along) return along(stage, rate).force;
+  const Row& row = stage.rows.rows[index];
+  return {row.stiffness * (row.value + stage.tau * rate) + row.damping * rate,
+          stage.tau * row.stiffness + row.damping};
+}
+
+double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rates,
+                        EnergyAccount& power, JointState& end) const {
+  double spring_rates = 0;
+  for (std::size_t i = 0; i < stage.rows.count; ++i) {
+    const Row& row = stage.rows.rows[i];
+    power.damper_loss += row.damping * rates[i] * rates[i];
+    spring_rates += row.stiffness * rates[i] * rates[i];
+  }
+  end = stage.start;
+  if (!stage.rows.along) return spring_rates;
+  const double rate = rates[*stage.rows.along], tau = stage.tau;
+  end.coordinate = stage.rows.rows[*stage.rows.along].value + tau * rate;
+  if (joint_.friction > 0) {
+    const DryFriction::Result friction = along(stage, rate).friction;
+    end.wind = friction.deflection;
+    const double winding = (end.wind - stage.start.wind) / tau;
+    power.damper_loss += friction_.stiffness * end.wind * (rate - winding);
+    spring_rates += friction_.stiffness * winding * winding;
+  }
+  if (stage.start.latched) {
+    const double k = latch_stiffness();
+    power.damper_loss += k * kHoldTime * rate * rate;
+    spring_rates += k * rate * rate;
+  }
+  for (int side = 0; side < 2; ++side) {
+    if (std::isinf(side == 0 ? joint_.lower : joint_.upper)) continue;
+    const ImpactLaw::Stage at = at_stop(stage, side);
+    const Vector3 u(0, 0, side == 0 ? rate : -rate);
+    Matrix3 slope;
+    const ImpactLaw::Result result = stop_.finish(at, u, stop_.force(at, u, slope));
+    power.contact_loss += result.damping_power;
+    spring_rates += result.spring_rates;
+  }
+  return spring_rates;
+}
+
+double JointLaw::past_release(const JointState& state) const {
+  if (!state.latched || locked()) return -1;
+  return std::abs(state.coordinate - state.latched_at) - kLatchYield;
+}
+
+double JointLaw::work_latch(double rate, JointState& state) const {
+  if (joint_.latch == 0 || locked()) return 0;
+  if (!state.latched) {
+    if (joint_.relatches && std::abs(state.coordinate) < kCatchRange &&
+        std::abs(rate) < kCatchSpeed) {
+      state.latched = true;
+      state.latched_at = state.coordinate;
+    }
+    return 0;
+  }
+  if (past_release(state) < -kReleaseDistance) return 0;
+  const double yield = state.coordinate - state.latched_at;
+  state.latched = false;
+  return 0.5 * latch_stiffness() * yield * yield;
+}
+
+double JointLaw::stored_energy(const Rows& rows, const JointState& state) const {
+  double energy = 0.5 * friction_.stiffness * state.wind * state.wind;
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    const Row& row = rows.rows[i];
+    const double stretch = row.value - (i == rows.along ? joint_.rest : 0);
+    energy += 0.5 * row.stiffness * stretch * stretch;
+  }
+  if (!rows.along) return energy;
+  const double q = rows.rows[*rows.along].value;
+  if (state.latched) {
+    energy += 0.5 * latch_stiffness() * (q - state.latched_at) * (q - state.latched_at);
+  }
+  return energy + stop_.stored_energy(joint_.lower - q, 0) +
+         stop_.stored_energy(q - joint_.upper, 0);
+}
+
+std::array<JointLaw::Approach, 2> JointLaw::approaches(const JointState& state, double rate) const {
+  return {{{joint_.lower - state.coordinate, -rate}, {state.coordinate - joint_.upper, rate}}};
+}
+
+}  // namespace gurney

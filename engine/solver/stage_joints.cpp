@@ -1,0 +1,58 @@
+#include "engine/solver/stage_solver.h"
+
+// Joints between items in a stage.
+namespace gurney {
+
+void StageSolver::update_joints(const Input& input, const std::vector<Velocity>& v) {
+  joints_.resize(input.island->joints.size());
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    JointWork& work = joints_[k];
+    const std::size_t j = input.island->joints[k];
+    work.law = &assembly_.joints[j];
+    work.stage.tau = input.tau;
+    work.stage.start = input.start->joints[j];
+    work.stage.rows = work.law->rows(items_[work.base()].pose(), items_[work.part()].pose(),
+                                     work.stage.start.coordinate);
+    for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
+      JointLaw::Row& row = work.stage.rows.rows[r];
+      row.value -= input.tau * row.rate(v[work.part()].chassis, v[work.base()].chassis);
+    }
+  }
+}
+
+void StageSolver::add_joint_forces(const std::vector<Velocity>& v) {
+  for (JointWork& work : joints_)
+    for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
+      const JointLaw::Row& row = work.stage.rows.rows[r];
+      work.rates[r] = row.rate(v[work.part()].chassis, v[work.base()].chassis);
+      work.forces[r] = work.law->force(work.stage, r, work.rates[r]);
+      items_[work.part()].add_force(row.part, -work.forces[r].force);
+      items_[work.base()].add_force(row.base, work.forces[r].force);
+    }
+}
+
+void StageSolver::add_joint_slopes() {
+  for (const JointWork& work : joints_)
+    for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
+      const JointLaw::Row& row = work.stage.rows.rows[r];
+      items_[work.part()].add_slope(row.part, work.forces[r].slope);
+      items_[work.base()].add_slope(row.base, work.forces[r].slope);
+    }
+}
+
+void StageSolver::finish_joints(const Input& input, Output& out) const {
+  out.end.joints.resize(input.start->joints.size());
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const JointWork& work = joints_[k];
+    ItemStage::Output& part = out.items[work.part()];
+    part.spring_rates += work.law->finish(work.stage, work.rates, part.power,
+                                          out.end.joints[input.island->joints[k]]);
+    double given = 0;
+    for (std::size_t r = 0; r < work.stage.rows.count; ++r)
+      given += work.forces[r].force * work.stage.rows.rows[r].base.dot(v_[work.base()].chassis);
+    part.power.work_of_neighbours -= given;
+    out.items[work.base()].power.work_of_neighbours += given;
+  }
+}
+
+}  // namespace gurney

@@ -1,0 +1,160 @@
+#include "equipment/catalogue/item_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/units.h"
+#include "engine/config/nearest_name.h"
+#include "equipment/catalogue/body_reader.h"
+
+namespace gurney::equipment {
+namespace {
+
+using config::Range;
+using config::Table;
+using JointKind = Joint::Kind;
+
+const std::vector<std::string> kJointKinds = {"fixed", "hinge", "slider", "ball", "flexible"};
+
+/// Index of the body that `key` names: 0 the chassis, i + 1 part i.
+std::size_t read_carrier(Table& table, const std::string& key,
+                         const std::vector<PartDescription>& parts) {
+  const std::string name = table.text(key, "chassis");
+  std::vector<std::string> known = {"chassis"};
+  for (const PartDescription& part : parts) known.push_back(part.name);
+  const auto found = std::ranges::find(known, name);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  table.note(key, fmt::format(" = \"{}\": must be \"chassis\" or a part before this one{}", name,
+                              config::suggestion(name, known)));
+  return 0;
+}
+
+/// Names of the quantities of a joint in its free direction: in N and m, or in N m and angles.
+struct Keys {
+  const char *stiffness, *damping, *friction, *latch, *stop_stiffness, *rest, *lower, *upper;
+};
+constexpr Keys kSliderKeys = {
+    "stiffness_n_per_m",      "damping_n_s_per_m", "friction_n", "latch_n",
+    "stop_stiffness_n_per_m", "rest_mm",           "lower_mm",   "upper_mm"};
+constexpr Keys kTurningKeys = {"stiffness_n_m_per_rad",
+                               "damping_n_m_s_per_rad",
+                               "friction_n_m",
+                               "latch_n_m",
+                               "stop_stiffness_n_m_per_rad",
+                               "rest_deg",
+                               "lower_deg",
+                               "upper_deg"};
+
+/// A member of the joint of a part.
+auto joint(double Joint::*member) {
+  return [member](PartDescription& part) -> double& { return part.joint.*member; };
+}
+
+constexpr double kDoorStopStiffness = 1e4;  // [N m/rad]
+
+/// Stops, friction, latch and rest of a hinge or a slider.
+void read_coordinate(Quantities& in, bool slides, Uncertain<PartDescription>& part) {
+  const Keys& keys = slides ? kSliderKeys : kTurningKeys;
+  Table& table = in.table();
+  const auto place = [&](const char* key, const Range& range, double Joint::*member) {
+    if (!table.has(key)) return;
+    part.set(joint(member), slides ? in.length_mm(key, range) : in.angle_deg(key, range));
+  };
+  place(keys.lower, Range::within(-1e6, 0), &Joint::lower);
+  place(keys.upper, Range::not_negative(), &Joint::upper);
+  place(keys.rest, Range::any(), &Joint::rest);
+  part.set(joint(&Joint::friction), in.number(keys.friction, Range::not_negative(), 0.0));
+  const bool stops = table.has(keys.lower) || table.has(keys.upper);
+  if (stops) {
+    part.set(joint(&Joint::stop_stiffness),
+             in.number(keys.stop_stiffness, Range::positive(),
+                       slides ? Joint().stop_stiffness : kDoorStopStiffness));
+    part.set(joint(&Joint::restitution),
+             in.number("stop_restitution", Range::within(0.01, 1), Joint().restitution));
+  }
+  part.set(joint(&Joint::latch), in.number(keys.latch, Range::not_negative(), 0.0));
+  const bool catches = table.boolean("relatches", false);
+  if (catches && !table.has(keys.latch))
+    table.note("relatches", fmt::format(": must go with {}", keys.latch));
+  part.add([catches, locked = table.boolean("locked", false)](PartDescription& of_draw, Sampler&) {
+    of_draw.joint.relatches = catches;
+    of_draw.locked = locked;
+  });
+}
+
+/// Spring and damper; of a flexible joint its frequency and damping ratio in their place.
+void read_spring(Quantities& in, JointKind kind, Uncertain<PartDescription>& part) {
+  const Keys& keys = kind == JointKind::kSlider ? kSliderKeys : kTurningKeys;
+  Table& table = in.table();
+  if (kind == JointKind::kFlexible) {
+    if (table.has("frequency_hz") == table.has(keys.stiffness))
+      table.note("frequency_hz", fmt::format(": must be given, or {}, not both", keys.stiffness));
+    if (table.has("frequency_hz")) {
+      part.set(&PartDescription::frequency, in.number("frequency_hz", Range::positive()));
+      part.set(&PartDescription::damping_ratio,
+               in.number("damping_ratio", Range::within(0, 1).open_above()));
+      return;
+    }
+  }
+  part.set(joint(&Joint::stiffness), in.number(keys.stiffness, Range::not_negative(), 0.0));
+  part.set(joint(&Joint::damping), in.number(keys.damping, Range::not_negative(), 0.0));
+}
+
+Vector3 read_axis(Table& table, JointKind kind) {
+  if (kind == JointKind::kFixed || kind == JointKind::kBall) return Vector3::UnitZ();
+  std::optional<Vector3> usual;
+  if (kind == JointKind::kFlexible) usual = Vector3::UnitZ();
+  const Vector3 axis = table.vector("axis", Range::any(), usual);
+  if (axis.norm() > 0) return axis.normalized();
+  if (table.has("axis")) table.note("axis", " = [0, 0, 0]: must have a length");
+  return Vector3::UnitZ();
+}
+
+}  // namespace
+
+Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescription>& before) {
+  PartDescription fixed;
+  fixed.name = table.text("name");
+  fixed.base = read_carrier(table, "on", before);
+  const auto kind = static_cast<JointKind>(table.choice("joint", kJointKinds));
+  fixed.joint.kind = kind;
+  fixed.joint.name = fixed.name;
+  fixed.joint.axis = read_axis(table, kind);
+  fixed.material = table.text("material", "");
+  Uncertain<PartDescription> part(std::move(fixed));
+  Quantities in(table);
+  read_body(in,
+            BodyMembers<PartDescription>{&PartDescription::mass, &PartDescription::center_of_mass,
+                                         &PartDescription::inertia},
+            part);
+  part.set([](PartDescription& of_draw) -> Vector3& { return of_draw.joint.point; },
+           in.vector_mm("position_mm", Range::any()));
+  if (kind != JointKind::kFixed) read_spring(in, kind, part);
+  if (kind == JointKind::kHinge || kind == JointKind::kSlider)
+    read_coordinate(in, kind == JointKind::kSlider, part);
+  read_shape(table, &PartDescription::shape, part);
+  read_marked_points(table, &PartDescription::marked_points, part);
+  return part;
+}
+
+Uncertain<ContentDescription> read_content(Table table, const std::vector<PartDescription>& parts) {
+  ContentDescription fixed;
+  fixed.name = table.text("name");
+  fixed.where = table.where("position_mm");
+  fixed.on = read_carrier(table, "on", parts);
+  Uncertain<ContentDescription> content(std::move(fixed));
+  Quantities in(table);
+  content.set(&ContentDescription::position, in.vector_mm("position_mm", Range::any()));
+  content.set(&ContentDescription::yaw, in.angle_deg("yaw_deg", Range::any(), 0.0));
+  content.set(&ContentDescription::mass, in.number("mass_kg", Range::positive()));
+  content.set(&ContentDescription::size, in.vector_mm("size_mm", Range::positive()));
+  if (auto contact = table.table("contact"))
+    content.set(&ContentDescription::contact, read_item_contact(*contact));
+  else
+    table.note("contact", ": missing; a content needs a table [" + table.name_of("contact") +
+                              "], how it meets what it stands on");
+  return content;
+}
+
+}  // namespace gurney::equipment

@@ -1,0 +1,159 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/studies/job/job_text.h"
+
+// Parts and contents of items in jobs.
+namespace gurney::study {
+namespace {
+
+using testing::HasSubstr;
+
+/// A job of one item on feet; lines of the job, of the item, and tables of the item follow.
+std::string job_with(const std::string& item, const std::string& tables) {
+  return "schema = \"gurney-job/1\"\n[item]\nname = \"desk\"\nposition_m = [1, 2]\nyaw_deg = 90\n" +
+         item +
+         "[item.inline]\nname = \"Desk\"\n[item.inline.chassis]\nmass_kg = 50\ncenter_of_mass_mm = "
+         "[0, 0, 300]\n"
+         "inertia_box_mm = [900, 600, 700]\n[item.inline.contact]\nmaterial = \"feet\"\nfriction = "
+         "0.5\n"
+         "restitution = 0.2\n[[item.inline.shape]]\ncenter_mm = [0, 0, 350]\nsize_mm = [900, 600, "
+         "700]\n" +
+         tables;
+}
+
+/// A part of 2 kg, a cube of 100 mm, at `center`.
+std::string part(const std::string& name, const std::string& center, const std::string& more) {
+  return "[[item.inline.part]]\nname = \"" + name + "\"\nposition_mm = " + center +
+         "\nmass_kg = 2\n" + "center_of_mass_mm = " + center +
+         "\ninertia_box_mm = [100, 100, 100]\n" + more +
+         "[[item.inline.part.shape]]\ncenter_mm = " + center + "\nsize_mm = [100, 100, 100]\n";
+}
+
+const std::string kDrawer =
+    part("drawer", "[0, 0, 400]",
+         "joint = \"slider\"\naxis = [2, 0, 0]\nlower_mm = 0\nupper_mm = 300\n"
+         "friction_n = 4\nlatch_n = 15\nrelatches = true\n");
+const std::string kArm =
+    part("arm", "[400, 0, 900]",
+         "joint = \"hinge\"\naxis = [0, 0, 1]\nlower_deg = -90\nupper_deg = 45\n"
+         "friction_n_m = 2\n");
+const std::string kBag =
+    part("bag", "[400, 0, 700]", "on = \"arm\"\njoint = \"ball\"\ndamping_n_m_s_per_rad = 0.01\n");
+const std::string kLamp =
+    "[[item.inline.content]]\nname = \"lamp\"\nposition_mm = [100, 0, 700]\nyaw_deg = 30\nsize_mm "
+    "= [100, 100, 400]\n"
+    "mass_kg = 1\n[item.inline.content.contact]\nmaterial = \"rubber\"\nfriction = "
+    "0.6\nrestitution = 0.1\n";
+
+TEST(JobParts, AreBodiesOfTheScene) {
+  const Job job = job_of_text(job_with("", kDrawer + kArm + kBag + kLamp));
+  const Scene& scene = job.scene;
+  ASSERT_EQ(scene.items.size(), 5U);
+  EXPECT_EQ(scene.items[1].name, "desk/drawer");
+  EXPECT_EQ(scene.items[3].name, "desk/bag");
+  EXPECT_EQ(scene.items[4].name, "desk/lamp");
+  ASSERT_EQ(scene.joints.size(), 3U);
+  const Joint& drawer = scene.joints[0];
+  EXPECT_EQ(drawer.kind, Joint::Kind::kSlider);
+  EXPECT_EQ(drawer.base, 0U);
+  EXPECT_EQ(drawer.part, 1U);
+  EXPECT_EQ(drawer.axis, Vector3::UnitX());
+  EXPECT_DOUBLE_EQ(drawer.upper, 0.3);
+  EXPECT_DOUBLE_EQ(drawer.lower, 0);
+  EXPECT_EQ(drawer.latch, 15);
+  EXPECT_TRUE(drawer.relatches);
+  EXPECT_NEAR(scene.joints[1].lower, -std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(scene.joints[2].base, 2U) << "the bag hangs on the arm";
+  EXPECT_EQ(scene.joints[2].damping, 0.01);
+  for (std::size_t i : {1u, 2u, 3u}) {
+    EXPECT_EQ(scene.items[i].initial.position, scene.items[0].initial.position);
+    EXPECT_EQ(scene.items[i].model.material, scene.items[0].model.material);
+  }
+  const PlacedItem& lamp = scene.items[4];
+  ASSERT_TRUE(lamp.on);
+  EXPECT_EQ(lamp.on->index, 0U);
+  EXPECT_DOUBLE_EQ(lamp.on->height, 0.7);
+  EXPECT_NEAR(lamp.initial.position.y(), 2.1, 1e-12) << "0.1 m ahead of a desk turned by 90 deg";
+  EXPECT_NEAR(lamp.initial.yaw, 2 * std::numbers::pi / 3, 1e-12);
+  EXPECT_NO_THROW(validate(scene));
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+std::string locked(const std::string& part) {
+  return changed(part, "relatches = true", "relatches = true\nlocked = true");
+}
+
+TEST(JobParts, AreChosenByTheJob) {
+  const Job job = job_of_text(
+      job_with("locked_parts = [\"arm\"]\ncontents = []\n", locked(kDrawer) + kArm + kLamp));
+  ASSERT_EQ(job.scene.items.size(), 3U);
+  EXPECT_EQ(job.scene.joints[0].latch, 15) << "these parts and no others are locked";
+  EXPECT_TRUE(std::isinf(job.scene.joints[1].latch));
+  EXPECT_THAT(errors_of_text(job_with("locked_parts = [\"drawr\"]\n", kDrawer)),
+              HasSubstr("Desk has none of this name; did you mean 'drawer'?"));
+}
+
+// I about the foot across the axis: 2 (0.1^2 / 6 + 0.6^2) of the mast, 2 (0.1^2 / 6 + 0.8^2 + 0.3^2 / 2) of the bag 0.3 m
+// beside it; they lift by 0.6 and 0.8 m.
+TEST(JobParts, FlexibleJointsHaveTheirFrequency) {
+  const std::string mast = part("mast", "[0, 0, 1300]",
+                                "joint = \"flexible\"\nfrequency_hz = 2\ndamping_ratio = 0.05\n");
+  std::string text =
+      job_with("", mast + part("bag", "[300, 0, 1500]", "on = \"mast\"\njoint = \"fixed\"\n"));
+  const std::string from = "position_mm = [0, 0, 1300]";
+  text.replace(text.find(from), from.size(), "position_mm = [0, 0, 700]");
+  const Joint joint = job_of_text(text).scene.joints[0];
+  const double inertia = 2 * (0.01 / 6 + 0.36) + 2 * (0.01 / 6 + 0.64 + 0.045);
+  const double rate = 4 * std::numbers::pi;
+  EXPECT_NEAR(joint.stiffness, inertia * rate * rate + 2 * 9.80665 * (0.6 + 0.8),
+              1e-9 * joint.stiffness);
+  EXPECT_NEAR(joint.damping, 2 * 0.05 * inertia * rate, 1e-9);
+}
+
+TEST(JobParts, RefuseWhatCannotBe) {
+  const auto errors = [](const std::string& tables) {
+    return errors_of_text(job_with("", tables));
+  };
+  EXPECT_THAT(errors(part("bag", "[0, 0, 900]", "on = \"arm\"\njoint = \"ball\"\n") + kArm),
+              HasSubstr("on = \"arm\": must be \"chassis\" or a part before this one"));
+  EXPECT_THAT(errors(part("door", "[0, 0, 900]", "joint = \"hing\"\naxis = [0, 0, 1]\n")),
+              HasSubstr("did you mean 'hinge'?"));
+  EXPECT_THAT(errors(part("door", "[0, 0, 900]", "joint = \"hinge\"\n")),
+              HasSubstr("axis: missing"));
+  EXPECT_THAT(errors(part("door", "[0, 0, 900]", "joint = \"hinge\"\naxis = [0, 0, 0]\n")),
+              HasSubstr("must have a length"));
+  EXPECT_THAT(errors(part("drawer", "[0, 0, 400]",
+                          "joint = \"slider\"\naxis = [1, 0, 0]\nlower_mm = 10\n")),
+              HasSubstr("lower_mm = 10: must be"));
+  EXPECT_THAT(errors(part("drawer", "[0, 0, 400]",
+                          "joint = \"slider\"\naxis = [1, 0, 0]\nfriction_n_m = 1\n")),
+              HasSubstr("friction_n_m: unknown key; did you mean 'friction_n'?"));
+  EXPECT_THAT(errors(part("drawer", "[0, 0, 400]",
+                          "joint = \"slider\"\naxis = [1, 0, 0]\nrelatches = true\n")),
+              HasSubstr("relatches: must go with latch_n"));
+  EXPECT_THAT(errors(part("mast", "[0, 0, 900]", "joint = \"flexible\"\n")),
+              HasSubstr("frequency_hz: must be given, or stiffness_n_m_per_rad, not both"));
+  EXPECT_THAT(errors(kDrawer + kDrawer), HasSubstr("must differ from the name of part[0]"));
+  std::string floating = kLamp;
+  floating.replace(floating.find("0, 700]"), 7, "0, 750]");
+  EXPECT_THAT(errors(floating),
+              HasSubstr("content 'lamp': no box of the chassis has its top below it at 750 mm"));
+  EXPECT_THAT(errors(changed(kDrawer, "mass_kg = 2", "mass_kg = 0")),
+              HasSubstr("part[0].mass_kg = 0: must be"));
+}
+
+TEST(JobParts, ContentsThatOverlapAreAnError) {
+  std::string second = kLamp;
+  second.replace(second.find("\"lamp\""), 6, "\"vase\"");
+  EXPECT_THAT(errors_of_text(job_with("", kLamp + second)), HasSubstr("mm deep in 'desk/lamp'"));
+}
+
+}  // namespace
+}  // namespace gurney::study

@@ -1,0 +1,264 @@
+"""The package as a first language: jobs with other values, many runs, items, records, studies and their
+pages do what the program does; everything public is annotated and described, and its page is current."""
+
+import inspect
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import support
+
+support.need_module()
+support.use_package()
+sys.path.insert(1, support.PACKAGE)
+
+import api_page  # noqa: E402
+import gurney  # noqa: E402
+import numpy  # noqa: E402
+
+JOBS = os.path.join(support.SOURCE, "studies/jobs")
+SHAKE = os.path.join(JOBS, "icu_ventilator_shake.toml")
+RECORD = os.path.join(support.SOURCE, "groundmotions/records/synthetic_3c.csv")
+SHORT = {"settings": {"duration_s": 3}, "predictability": False}
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        self.folder = folder.name
+        os.chdir(self.folder)
+
+
+class Jobs(InFolder):
+    def test_other_values_are_those_of_a_changed_file(self):
+        with open(SHAKE, encoding="utf-8") as file:
+            text = file.read()
+        changed = text.replace("scale = 1.0", "scale = 0.5").replace("[10, 100", "[77, 100")
+        self.assertNotEqual(changed, text)
+        os.makedirs("a/b")  # as deep as the job, whose paths go up
+        for name in ("equipment", "groundmotions"):
+            os.symlink(os.path.join(support.SOURCE, name), name)
+        with open("a/b/changed.toml", "w", encoding="utf-8") as file:
+            file.write(changed)
+        expected = gurney.run("a/b/changed.toml", predictability=False)
+        values = {"excitation.record.scale": 0.5, "item.headings_deg.0": 77}
+        for run in (gurney.run(SHAKE, values, predictability=False),
+                    gurney.run(SHAKE, {"item.headings_deg.0": 77}, excitation__record__scale=0.5,
+                               predictability=False)):
+            self.assertEqual(repr(run.demands), repr(expected.demands))
+        self.assertNotEqual(repr(gurney.run(SHAKE, predictability=False).demands),
+                            repr(expected.demands))
+
+    def test_patches(self):
+        job = {"item": [{"name": "bed", "brakes": False}, {"equipment": "icu_bed"}],
+               "floor": {"slope": {"value": 1, "source": "x"}, "covering": "rubber"}}
+        for overrides, expected in (
+                ({"item.bed.brakes": True}, [{"name": "bed", "brakes": True}, {"equipment": "icu_bed"}]),
+                ({"item.1.brakes": True}, [job["item"][0], {"equipment": "icu_bed", "brakes": True}]),
+                ({"item.*.yaw_deg": 3}, [{**each, "yaw_deg": 3} for each in job["item"]])):
+            self.assertEqual(gurney.patched(job, overrides)["item"], expected)
+        self.assertEqual(gurney.patched(job, {"floor": {"slope": {"value": 2}}})["floor"],
+                         {"slope": {"value": 2}, "covering": "rubber"})
+        self.assertEqual(gurney.patched(job, {"floor.covering": None})["floor"],
+                         {"slope": job["floor"]["slope"]})
+        self.assertEqual(gurney.patched(job, {"settings.duration_s": 3})["settings"], {"duration_s": 3})
+        self.assertEqual(job["item"][0]["brakes"], False)
+        for wrong in ("item.cot.brakes", "item.9.brakes", "floor.covering.x"):
+            with self.assertRaisesRegex(gurney.InputError, wrong):
+                gurney.patched(job, {wrong: 1})
+
+    def test_errors_have_the_place_in_the_changed_job(self):
+        with self.assertRaisesRegex(gurney.InputError, r"shake.toml:/settings/tme_step_s.*did you mean"):
+            gurney.run(SHAKE, settings__tme_step_s=0.01)
+        with self.assertRaisesRegex(gurney.InputError, r"table \[study\]"):
+            gurney.run(os.path.join(JOBS, "brakes_study.toml"))
+        with self.assertRaisesRegex(gurney.InputError, "nowhere.toml"):
+            gurney.run("nowhere.toml", settings__duration_s=1)
+
+    def test_items_with_other_numbers(self):
+        plain = gurney.simulate("icu_ventilator", RECORD, **SHORT)
+        same = gurney.simulate(gurney.item("icu_ventilator"), RECORD, **SHORT)
+        self.assertEqual(repr(plain.demands), repr(same.demands))
+        heavy = gurney.item("icu_ventilator", {"chassis.mass_kg": 60.0}, brakes=True)
+        self.assertEqual(heavy["brakes"], True)
+        self.assertNotEqual(repr(gurney.simulate(heavy, RECORD, **SHORT).demands),
+                            repr(gurney.simulate({"equipment": "icu_ventilator", "brakes": True}, RECORD,
+                                                 **SHORT).demands))
+        rolling = gurney.item("icu_ventilator", {"caster.*.inline.trail_mm": 30.0})
+        self.assertEqual({each["inline"]["trail_mm"]["value"] for each in rolling["inline"]["caster"]},
+                         {30.0})
+        for key in ("chassis.mas_kg", "chasis.mass_kg", "caster.nowhere.inline.trail_mm"):
+            with self.assertRaisesRegex(gurney.InputError, key):
+                gurney.item("icu_ventilator", {key: 1})
+        with self.assertRaisesRegex(gurney.InputError, "icu_ventilator"):
+            gurney.item("icu_ventilatr")
+
+
+class ManyRuns(InFolder):
+    def test_runs_are_those_alone_in_their_order(self):
+        cases = [{"item": {"equipment": "xu_trolley", "brakes": brakes}, "record": RECORD, **SHORT}
+                 for brakes in (True, False)] * 2
+        runs = gurney.simulate_many(cases, threads=2)
+        for case, run in zip(cases, runs):
+            self.assertEqual(repr(run.demands), repr(gurney.simulate(**case).demands))
+        frame = runs.to_frame()
+        self.assertEqual(frame.index.names, ["run", "item"])
+        self.assertEqual(frame["item.brakes"].tolist(), [True, False, True, False])
+        self.assertEqual(frame["peak_displacement"].tolist(),
+                         [run.demands["xu_trolley"]["peak_displacement"] for run in runs])
+        with self.assertRaisesRegex(gurney.InputError, "icu_beds"):
+            gurney.simulate_many([{"item": "icu_beds"}])
+        with self.assertRaisesRegex(gurney.InputError, "1 or more"):
+            gurney.simulate_many([], threads=0)
+
+    def test_a_run_shows_itself(self):
+        run = gurney.simulate("xu_trolley", RECORD, **SHORT)
+        frame = run.to_frame()
+        self.assertEqual((frame.index.tolist(), frame.attrs["units"]["peak_displacement"]),
+                         (["xu_trolley"], "m"))
+        self.assertIn("peak_displacement [m]", run._repr_html_())
+        page = run.play()
+        run.save("run.h5")
+        support.gurney("play", "run.h5", "-o", "page.html")
+        with open("page.html", encoding="utf-8") as file:
+            self.assertEqual(len(page.html), len(file.read()))
+        self.assertTrue(page._repr_html_().startswith("<iframe srcdoc=\"&lt;!"))
+        self.assertIn("<table", run.report().html)
+        with gurney.open("run.h5") as results:
+            self.assertEqual(len(results.play().html), len(page.html))
+            self.assertIn("1 runs", results._repr_html_())
+
+
+class Studies(InFolder):
+    def test_a_study_has_the_bytes_of_the_program(self):
+        job = os.path.join(JOBS, "brakes_study.toml")
+        lines = []
+        with gurney.study(job, "mine.h5", threads=2, progress=lines.append) as study:
+            self.assertEqual(len(study.runs), 12)
+            frame = study.to_frame()
+            self.assertEqual(len(frame), 12)
+            self.assertIn("brakes", frame)
+            self.assertIn("12 runs", study._repr_html_())
+        self.assertTrue(any("100 %" in line for line in lines), lines)
+        support.gurney("run", job, "-o", "program.h5", "-j", "1")
+        with open("mine.h5", "rb") as mine, open("program.h5", "rb") as program:
+            self.assertEqual(mine.read(), program.read())
+        with self.assertRaisesRegex(gurney.InputError, "mine.h5"):
+            gurney.study(job, "mine.h5", progress=False)
+        gurney.study(job, "mine.h5", resume=True, progress=False).close()
+
+    def test_a_study_with_other_values(self):
+        job = gurney.read_job(os.path.join(JOBS, "brakes_study.toml"))
+        with gurney.study(job, "few.h5", progress=False, overrides={
+                "study.intensity.levels": [0.3], "study.synthetic_records": 2}) as study:
+            self.assertEqual(len(study.runs), 4)
+            self.assertEqual(study.job["study"]["synthetic_records"], 2)
+        self.assertTrue(os.path.exists("few.job.json"))
+        with self.assertRaisesRegex(gurney.InputError, r"no table \[study\]"):
+            gurney.study({"item": {"equipment": "icu_bed"}}, "none.h5")
+        with self.assertRaisesRegex(gurney.InputError, "few.job.json:/study/drawz"):
+            gurney.study(job, "few.h5", overrides={"study.drawz": 2}, overwrite=True, progress=False)
+
+
+class Catalogue(unittest.TestCase):
+    def test_the_lists_are_those_of_the_program(self):
+        listed = json.loads(support.gurney("equipment", "ls", "--json"))
+        for kind, rows in listed.items():
+            self.assertEqual(gurney.catalogue(kind).index.tolist(), [each["key"] for each in rows])
+        self.assertEqual(gurney.sheet("icu_bed"),
+                         json.loads(support.gurney("equipment", "show", "icu_bed", "--json")))
+        with self.assertRaisesRegex(gurney.NotInFile, "did you mean 'items'"):
+            gurney.catalogue("item")
+
+
+class Records(InFolder):
+    def test_a_record_acts_as_its_file(self):
+        record = gurney.records.read(RECORD)
+        self.assertEqual((record.name, record.acceleration.shape, record.time_step),
+                         ("synthetic_3c", (6001, 3), 0.005))
+        file, array = (gurney.simulate("xu_trolley", each, **SHORT) for each in (RECORD, record))
+        self.assertEqual(repr(file.demands), repr(array.demands))
+        record.save("again.csv")
+        again = gurney.records.read("again.csv")
+        self.assertTrue((again.acceleration == record.acceleration).all())
+        half = record.scaled(0.5)
+        self.assertEqual(half.to_frame()["h1"].abs().max(), 0.5 * record.to_frame()["h1"].abs().max())
+
+    def test_measures_and_spectra_are_those_of_the_program(self):
+        listed = json.loads(support.gurney("records", "info", RECORD, "--json"))["records"][0]["measures"]
+        mine = gurney.records.measures(RECORD)
+        for name, of in listed.items():
+            self.assertEqual(mine.attrs["units"][name], of["unit"])
+            for component, value in of["values"].items():
+                numpy.testing.assert_equal(mine.loc[name, component],
+                                           numpy.nan if value is None else value)
+        spectrum = gurney.records.spectrum(gurney.records.read(RECORD), [0.3, 1])
+        self.assertEqual(spectrum.index.tolist(), [0.3, 1.0])
+        self.assertTrue((spectrum["RotD100"] >= spectrum["RotD50"]).all())
+        both = gurney.records.measures(RECORD, ["Sa(0.3)"])
+        self.assertAlmostEqual(spectrum.loc[0.3, "RotD50"] / both.loc["Sa(0.3)", "RotD50"], 1, delta=1e-12)
+
+    def test_processing_scaling_floors_and_models(self):
+        scaled = gurney.records.read(RECORD, scale_to="PGA component=larger value=0.2 unit=g")
+        self.assertAlmostEqual(abs(scaled.acceleration[:, :2]).max(), 0.2 * 9.80665, delta=1e-8)
+        low = gurney.records.process(RECORD, "low_pass corner_hz=2")
+        self.assertLess(abs(low.acceleration).max(), 3.9)
+        roof = gurney.records.floor(RECORD, "lead_rubber_hospital")
+        self.assertIn("floor 4", roof.name)
+        suite = gurney.records.scale([RECORD], "asce7 sds_g=1 sd1_g=0.6", periods=(0.2, 2))
+        self.assertGreater(suite.loc["synthetic_3c", "factor"], 1)
+        self.assertIn("common_factor", suite.attrs)
+        pulse = gurney.records.make("ricker", period_s=1)
+        self.assertEqual((pulse.components, pulse.acceleration.shape[1]), (("h1",), 1))
+        self.assertIn("period_s", [each["key"] for each in gurney.records.kinds()["ricker"]["parameters"]])
+        model = gurney.records.model(7, 20, vs30=400, periods=[0.5, 1])
+        self.assertEqual(model.index.tolist(), [0.5, 1.0])
+        self.assertEqual(gurney.records.ls(RECORD)["name"].tolist(), ["synthetic_3c"])
+        for wrong in (lambda: gurney.records.read("nowhere.AT2"), lambda: gurney.records.make("rickr"),
+                      lambda: gurney.records.process(RECORD, "low_pas corner_hz=2"),
+                      lambda: gurney.records.floor(RECORD, "no_hospital"),
+                      lambda: gurney.records.model(99, 20)):
+            with self.assertRaises(gurney.InputError):
+                wrong()
+
+
+class Described(unittest.TestCase):
+    def test_everything_public_is_annotated_and_described(self):
+        for _, module, names in api_page.GROUPS:
+            for name in names:
+                of = getattr(module, name)
+                self.assertTrue(of.__doc__, name)
+                functions = [of] if not inspect.isclass(of) else [
+                    each for key, each in vars(of).items() if inspect.isfunction(each) and key[0] != "_"]
+                for each in functions:
+                    self.assertTrue(each.__doc__, each)
+                    for parameter in inspect.signature(each).parameters.values():
+                        if parameter.name != "self":
+                            self.assertIsNot(parameter.annotation, parameter.empty, (each, parameter))
+                    self.assertIsNot(inspect.signature(each).return_annotation, inspect.Signature.empty)
+        shown = {name for _, module, names in api_page.GROUPS for name in names if module is gurney}
+        self.assertEqual(set(gurney.__all__) - shown, {"Record", "program", "records"})
+
+    def test_the_page_is_current(self):
+        with open(os.path.join(support.SOURCE, "docs/python_api.md"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), api_page.page(), "run studies/python/api_page.py")
+
+    def test_types(self):
+        self.assertTrue(os.path.exists(os.path.join(support.BUILT, "gurney/py.typed")))
+        if shutil.which("mypy") is None:
+            self.skipTest("no mypy (Debian: mypy)")
+        with tempfile.TemporaryDirectory() as cache:
+            done = subprocess.run(["mypy", "--strict", "--ignore-missing-imports", "--allow-any-generics",
+                                   "--cache-dir", cache, "gurney"], cwd=support.PACKAGE,
+                                  capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["api.py", "-v"])
