@@ -47,8 +47,7 @@ py::tuple outcomes(const StudyData& data, const std::string& state) {
   for (std::size_t i = 0; i < data.configurations().size(); ++i)
     runs.insert(runs.end(), data.runs_of(i).begin(), data.runs_of(i).end());
   std::ranges::sort(runs);
-  return py::make_tuple(runs,
-                        data.exceedances(study::index_of(data.limit_states(), state), runs));
+  return py::make_tuple(runs, data.exceedances(study::index_of(data.limit_states(), state), runs));
 }
 
 FragilityResult curve(const StudyData& data, const std::string& state, std::size_t configuration,
@@ -61,7 +60,8 @@ FragilityResult curve(const StudyData& data, const std::string& state, std::size
              .method = cloud ? study::CurveMethod::kCloud : study::CurveMethod::kOwn});
 }
 
-FragilityResult curve_of_outcomes(const StudyData& data, const std::map<std::size_t, bool>& exceeded,
+FragilityResult curve_of_outcomes(const StudyData& data,
+                                  const std::map<std::size_t, bool>& exceeded,
                                   std::size_t configuration, const std::string& measure,
                                   double confidence) {
   return study::fragility_of_outcomes(

@@ -74,6 +74,8 @@ bool pause(Clock::duration time) {
 /// @return exit code
 int watch(const ReportOptions& options) {
   constexpr std::chrono::seconds kLeast{1};
+  constexpr int kMostFailures = 3;  // one after the other
+  int failures = 0;
   const std::string& folder = options.request.file;
   page::PageRequest whole = options.request;
   whole.file = results_of_folder(folder);
@@ -96,8 +98,9 @@ int watch(const ReportOptions& options) {
         finished = cases.finished();
         if (finished > seen) write(page_of(options.request, cases));
       }
-    } catch (const Error&) {  // the folder went while it was read
-      if (is_folder(folder)) throw;
+      failures = 0;
+    } catch (const Error&) {  // parts go while they are read, where the study ends
+      if (is_folder(folder) && ++failures > kMostFailures) throw;
     }
     seen = finished;
     if (!is_folder(folder) && is_there(whole.file)) break;

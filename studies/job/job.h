@@ -61,8 +61,9 @@ struct Job {
   std::string file;
   std::string text;  ///< of the file, to be kept with the results
   std::string title;
-  Scene scene;                      ///< the items of the job, then their parts and contents
-  std::vector<std::size_t> owners;  ///< of each item of the scene: the item of the job it belongs to
+  Scene scene;  ///< the items of the job, then their parts and contents
+  std::vector<std::size_t>
+      owners;  ///< of each item of the scene: the item of the job it belongs to
   RunOptions settings;
   std::optional<RecordRequest> record;
   double rotation_factor = 1;  ///< on the rotation of the floor that the building gives

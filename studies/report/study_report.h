@@ -16,8 +16,7 @@ findings::List answers_of(const study::StudyOverview& overview, const study::Stu
 
 /// Which of two configurations exceeds the limit states less often, and how sure that is; empty
 /// where there are not two that share runs.
-findings::List compared_answers(const study::StudyOverview& overview,
-                                const study::StudyData& data);
+findings::List compared_answers(const study::StudyOverview& overview, const study::StudyData& data);
 
 /// What a reader has to know before any number of a study is used.
 findings::Texts cautions_of(const study::StudyOverview& overview, const study::StudyData& data,

@@ -33,9 +33,9 @@ class Hdf5Reader {
   const std::string& path() const { return path_; }
   std::vector<Hdf5Dataset> datasets() const { return datasets_; }  ///< in order of their paths
   bool has(const std::string& dataset) const;
-  std::vector<std::string> attributes() const;                     ///< names, of the file itself
-  std::string text_attribute(const std::string& name) const;       ///< of the file itself
-  std::int64_t whole_attribute(const std::string& name) const;     ///< of the file; 0: it has none
+  std::vector<std::string> attributes() const;                  ///< names, of the file itself
+  std::string text_attribute(const std::string& name) const;    ///< of the file itself
+  std::int64_t whole_attribute(const std::string& name) const;  ///< of the file; 0: it has none
   std::vector<std::string> text_attributes(const std::string& name) const;  ///< a list of texts
 
   /// @throws Error where the dataset is absent or of another type

@@ -90,7 +90,7 @@ set(GURNEY_ROOMS
   "studies/templates: engine/base"
   "studies/bindings: engine/base engine/config engine/response engine/run groundmotions/record
     equipment/catalogue studies/build_info studies/job studies/results
-    studies/prepare studies/limit_states studies/plan studies/units studies/analysis"
+    studies/prepare studies/limit_states studies/plan studies/analysis"
   "studies/workbench: engine/base engine/baselines engine/config engine/scene engine/response engine/run
     groundmotions/synthetic equipment/catalogue studies/bindings studies/build_info studies/job
     studies/results studies/prepare studies/limit_states studies/statistics studies/findings studies/render

@@ -219,7 +219,7 @@ class Results:
             outcome)
         :param measure: such as ``"PGV geomean"`` or ``"pfa"``; the measure that the study scaled its
             records to if not stated
-        :param configuration: its name; not needed if there is one
+        :param configuration: its name; needed where there are several
         :param method: None, or ``"cloud"``: by regression of the demands
         :param confidence: of intervals and band, between 0 and 1
         :returns: :class:`gurney.Fragility`, in SI units
@@ -261,7 +261,7 @@ class Results:
 
         Without xarray a dict of arrays with the same names.
 
-        :param run: not needed if the file has histories of one run only
+        :param run: needed where the file has histories of several runs
         :param item: only this item
         """
         return histories.of_run(self, run, item)

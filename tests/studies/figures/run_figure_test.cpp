@@ -74,7 +74,7 @@ TEST(Figure, MarksFronts) {
 }
 
 TEST(Figure, ShowsThePull) {
-  EXPECT_EQ(count(run_figure(synthetic_facts(true), synthetic_response(true)), "Force (N)"), 1u);
+  EXPECT_EQ(count(run_figure(synthetic_facts(true), synthetic_response(true)), ">Force (N)<"), 1u);
 }
 
 TEST(Figure, ShowsARoomOfSeveralItems) {
@@ -101,8 +101,8 @@ TEST(Figure, ShowsTheRoomOfASingleItem) {
   facts.scene.room = {{"wall", "", {2, 0, 1}, Quaternion::Identity(), RoomBox{{0.2, 4, 2}}}};
   const std::string svg = run_figure(facts, synthetic_response());
   EXPECT_EQ(count(svg, "fill=\"#c4c4c4\""), 1u);
-  EXPECT_EQ(count(svg, "Normal force (N)"), 1u);
-  EXPECT_EQ(count(svg, "Energy (J)"), 1u);
+  EXPECT_EQ(count(svg, ">Normal force (N)<"), 1u);
+  EXPECT_EQ(count(svg, ">Energy (J)<"), 1u);
 }
 
 TEST(Figure, SurvivesWhatDivergedAndWhatHasNoHistory) {

@@ -73,7 +73,7 @@ TEST(LimitStateExpression, NamesWhatIsWrong) {
   EXPECT_ERROR(read("peak_displacement >= 1 m"),
                ": a limit is exceeded beyond its value: >, not >=");
   EXPECT_ERROR(read("overtuned"),
-               ": event = \"overtuned\": must be one of overturned, fell, impact");
+               ": event = \"overtuned\": must be one of overturned, fell, released, impact");
   EXPECT_ERROR(read("caart: overturned"),
                ": no item, marked point, zone or tether 'caart'; did you mean 'cart'?; "
                "a name of the limit state stands before =");

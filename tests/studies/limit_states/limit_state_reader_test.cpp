@@ -99,7 +99,8 @@ TEST(LimitStates, ErrorsAreNamed) {
                    "unit = \"m\"\n"),
             "a.toml:5:8: limit_state[0].unit = \"m\": must be one of rad, deg");
   EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nevent = \"slid\"\n"),
-            "a.toml:3:9: limit_state[0].event = \"slid\": must be one of overturned, fell, impact, "
+            "a.toml:3:9: limit_state[0].event = \"slid\": must be one of overturned, fell, "
+            "released, impact, "
             "lifted");
   EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nany_of = [\"b\", \"c\"]\n"),
             "a.toml:3:10: limit_state[0].any_of: no limit state 'b'\n"

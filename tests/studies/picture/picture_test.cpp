@@ -90,7 +90,8 @@ TEST(Picture, GreyCurvesDiffer) {
   }
   EXPECT_EQ(lines, 7u);
   EXPECT_EQ(pens.size(), 7u);
-  EXPECT_NE(grey.find("stroke=\"#0072B2\" &lt;stroke=\"#D55E00\"&gt;"), std::string::npos)
+  EXPECT_NE(grey.find("stroke=&quot;#0072B2&quot; &lt;stroke=&quot;#D55E00&quot;&gt;"),
+            std::string::npos)
       << "texts stay as they are";
   EXPECT_EQ(in_grey("<a fill=\"#ff0000\"/>"), "<a fill=\"#7f7f7f\"/>");
 }

@@ -138,7 +138,7 @@ class OldResults(unittest.TestCase):
         self.assertEqual(str(results.fragility("moved", configuration="true")).replace(path, ""),
                          str(gurney.Results(self.today).fragility(
                              "moved", configuration="true")).replace(self.today, ""))
-        with self.assertRaisesRegex(gurney.NotInFile, "peak_yaw"):
+        with self.assertRaisesRegex(gurney.InputError, "peak_yaw"):
             results.exceeded("peak_yaw > 1 rad")
 
     def test_of_version_1_are_read(self):

@@ -83,4 +83,24 @@ with tempfile.TemporaryDirectory() as folder:
         done = drive(params, asked)
         assert done.returncode != 0 and message in done.stdout + done.stderr, (params, done)
         assert not os.path.exists("results.out")
-print("the driver gives", half)
+
+# The shipped example, as a UQ engine loops over it: the template is copied to workdir.N, which gets its
+# own params.in and has a results.out of as many numbers as there are responses.
+with tempfile.TemporaryDirectory() as folder:
+    template = os.path.join(folder, "templatedir")
+    shutil.copytree(os.path.join(support.PACKAGE, "quofem_example"), template)
+    shutil.copy(DRIVER, template)
+    responses = []
+    for number, (scale, yaw) in enumerate(((0.2, 0), (1, 0), (1, 130)), start=1):
+        place = os.path.join(folder, f"workdir.{number}")
+        shutil.copytree(template, place)
+        with open(os.path.join(place, "params.in"), "w", encoding="utf-8") as file:
+            file.write(f"2\nexcitation__record__scale {scale}\nitem__yaw_deg {yaw}\n")
+        done = subprocess.run(["./driver", "--gurney", support.GURNEY], cwd=place, capture_output=True,
+                              text=True)
+        assert done.returncode == 0, done.stderr
+        with open(os.path.join(place, "results.out"), encoding="utf-8") as file:
+            responses.append([float(each) for each in file.read().split()])
+    assert all(len(each) == 2 and each[0] in (0, 1) for each in responses), responses
+    assert responses[0][1] < responses[1][1] and responses[1] != responses[2], responses
+print("the driver gives", half, responses)

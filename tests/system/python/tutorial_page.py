@@ -60,9 +60,8 @@ with tempfile.TemporaryDirectory() as folder:
         subprocess.run(["bash", "-euo", "pipefail", "-c", command], check=True, env=environment,
                        capture_output=True)
     support.need(*PACKAGES)
-    for name in [each for each in sys.modules if each.split(".")[0] == "gurney"]:
-        del sys.modules[name]  # that of the sources, which the tutorial has imported
     support.use_package()
+    os.environ["PATH"] = environment["PATH"]  # examples ask the program
     import matplotlib
     matplotlib.use("Agg")
     examples = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
