@@ -48,12 +48,19 @@ bool is_record(const std::string& path) {
 
 }  // namespace
 
-std::string item_file(const std::string& name) {
+std::string data_file(equipment::DataKind kind, const std::string& name,
+                      const std::string& option) {
   try {
-    return equipment::find_data(equipment::DataKind::kItem, name, "");
+    return equipment::find_data(kind, name, "");
   } catch (const Error& error) {
-    throw Error(name + ": " + error.what());
+    throw Error(option + name + ": " + error.what());
   }
+}
+
+std::filesystem::path results_file(const std::filesystem::path& path) {
+  require(path.extension() == ".h5",
+          path.string() + ": the results file must end in .h5 (-o FILE.h5)");
+  return path;
 }
 
 void require_job(const std::string& path, const std::string& command) {

@@ -1,12 +1,19 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+
+#include "equipment/catalogue/catalogue.h"
 
 namespace gurney::cli {
 
-/// The file of an item on the command line: a name of the catalogue, or a path.
-/// @throws Error that begins with what was written
-std::string item_file(const std::string& name);
+/// The file of an item or of other data on the command line: a name of the catalogue, or a path.
+/// @throws Error that begins with `option` and what was written
+std::string data_file(equipment::DataKind kind, const std::string& name,
+                      const std::string& option = "");
+
+/// The results file that a command writes. @throws Error unless it ends in .h5
+std::filesystem::path results_file(const std::filesystem::path& path);
 
 /// Refuses files that are often named in the place of a job, with the command that takes them.
 /// @param command  that wants a job

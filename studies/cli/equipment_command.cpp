@@ -6,6 +6,7 @@
 
 #include "engine/base/error.h"
 #include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
 #include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
@@ -43,7 +44,7 @@ equipment::ItemOptions item_options(const ShownItem& options,
 
 int show(const ShownItem& options) {
   options.figure.check(options.overwrite);
-  const std::string file = item_file(options.item);
+  const std::string file = data_file(equipment::DataKind::kItem, options.item);
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
   const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));

@@ -67,8 +67,8 @@ void check_choice(const ExportOptions& options) {
 }
 
 void write_item(const ExportOptions& options, const study::TakeFile& take) {
-  const equipment::LoadedItem loaded =
-      equipment::load_item(item_file(options.file), {}, options.variants);
+  const equipment::LoadedItem loaded = equipment::load_item(
+      data_file(equipment::DataKind::kItem, options.file), {}, options.variants);
   std::vector<study::PartBody> parts;
   for (const equipment::LoadedPart& part : loaded.parts)
     parts.push_back(

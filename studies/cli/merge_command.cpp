@@ -7,6 +7,7 @@
 #include "engine/base/files.h"
 #include "engine/base/parallel.h"
 #include "engine/base/shell_word.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/process.h"
 #include "studies/cli/repeated_run.h"
@@ -33,19 +34,14 @@ fs::path results_of(const MergeOptions& options, const fs::path& folder) {
           fmt::format("{}: is not named as gurney run names a folder of shards, FILE.h5{}; give "
                       "the results file with -o",
                       folder.string(), kSuffix));
-  const fs::path results =
-      options.output.empty() ? folder.parent_path() / folder.stem() : fs::path(options.output);
-  require(results.extension() == ".h5",
-          results.string() + ": the results file must end in .h5 (-o FILE.h5)");
-  return results;
+  return results_file(options.output.empty() ? folder.parent_path() / folder.stem()
+                                             : fs::path(options.output));
 }
 
 std::string job_of(const MergeOptions& options, const fs::path& folder) {
   if (!options.job.empty()) return options.job;
-  require(is_there(folder / "job"),
-          folder.string() + ": holds no path of the job; give it with --job");
-  std::string path = study::file_bytes(folder / "job");
-  while (path.ends_with('\n')) path.pop_back();
+  const std::string path = job_of_shards(folder);
+  require(!path.empty(), folder.string() + ": holds no path of the job; give it with --job");
   require(is_there(path), fmt::format("{}: the job {} {}; give its new path with --job",
                                       folder.string(), path, why_not_there(path)));
   return path;

@@ -7,10 +7,10 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
-#include "equipment/catalogue/catalogue.h"
 #include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
 #include "studies/cli/process.h"
@@ -24,15 +24,6 @@ struct FloorOptions {
   std::string building, floor = "roof", output;
   bool overwrite = false, json = false;
 };
-
-/// A name of the catalogue, or a path.
-std::string building_file(const std::string& name) {
-  try {
-    return equipment::find_data(equipment::DataKind::kBuilding, name, "");
-  } catch (const Error& error) {
-    throw Error("--building " + name + ": " + error.what());
-  }
-}
 
 int floor_of(const std::string& text, const groundmotions::Building& building) {
   if (text == "roof") return building.storeys;
@@ -114,8 +105,8 @@ void print_facts(const groundmotions::Building& building, int floor,
 }
 
 int floor(const FloorOptions& options) {
-  const groundmotions::Building building =
-      groundmotions::building_from_file(building_file(options.building));
+  const groundmotions::Building building = groundmotions::building_from_file(
+      data_file(equipment::DataKind::kBuilding, options.building, "--building "));
   const int number = floor_of(options.floor, building);
   std::optional<groundmotions::Record> ground;
   const int code =

@@ -169,15 +169,16 @@ std::string results_of_folder(const std::string& folder) {
   return (name.parent_path() / name.stem()).string();
 }
 
-std::string job_of_folder(const std::string& folder) {
-  const fs::path kept = fs::path(folder) / "job";
-  if (!is_there(kept)) {
-    const std::string results = results_of_folder(folder);
-    return study::place_of_job(job_of_log(results), results);
-  }
-  std::string path = study::file_bytes(kept);
+std::string job_of_shards(const fs::path& folder) {
+  if (!is_there(folder / "job")) return {};
+  std::string path = study::file_bytes(folder / "job");
   while (path.ends_with('\n')) path.pop_back();
   return path;
+}
+
+std::string job_of_folder(const std::string& folder) {
+  const std::string job = job_of_shards(folder), results = results_of_folder(folder);
+  return job.empty() ? study::place_of_job(job_of_log(results), results) : job;
 }
 
 std::string why_not_there(const std::string& path) {

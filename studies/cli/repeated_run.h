@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,6 +18,9 @@ namespace gurney::cli {
 /// The job file that the log beside a results file names last, from the folder where it ran unless it
 /// is found from here; empty: none.
 std::string job_of_log(const std::string& results);
+
+/// The job file that a folder of shards names; empty: none.
+std::string job_of_shards(const std::filesystem::path& folder);
 
 /// The results that the folder FILE.h5.parts, or FILE.h5.shards, will become; and the path of the job in such
 /// a folder, or in the log beside the results.

@@ -4,6 +4,7 @@
 
 #include "engine/base/error.h"
 #include "studies/analysis/replica_spread.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/process.h"
 #include "studies/cli/repeated_run.h"
@@ -41,11 +42,7 @@ std::string spread_text(const std::optional<study::ReplicaSpread>& spread,
 }
 
 fs::path results_of(const ReplayOptions& options) {
-  if (!options.output.empty()) {
-    require(fs::path(options.output).extension() == ".h5",
-            options.output + ": the results file must end in .h5 (-o FILE.h5)");
-    return options.output;
-  }
+  if (!options.output.empty()) return results_file(options.output);
   const fs::path file = options.file;
   return file.parent_path() / fmt::format("{}_run_{}.h5", file.stem().string(), options.run);
 }

@@ -36,11 +36,7 @@ void make_default_folder(const RunOptions& options) {
 }
 
 RunOutput output_of(const RunOptions& options) {
-  fs::path results = options.output;
-  if (results.empty())
-    results = fs::path("out") / fs::path(options.job).stem().replace_extension(".h5");
-  require(results.extension() == ".h5",
-          options.output + ": the results file must end in .h5 (-o FILE.h5)");
+  const fs::path results = results_of(options);
   return {results,         options.job,   options.overwrite, options.json,   options.no_figure,
           options.figures, options.quiet, options.units,     options.verbose};
 }
@@ -84,6 +80,11 @@ void print(const RunOutput& output, const study::PreparedRun& run, const Respons
 }
 
 }  // namespace
+
+fs::path results_of(const RunOptions& options) {
+  if (!options.output.empty()) return results_file(options.output);
+  return fs::path("out") / fs::path(options.job).stem().replace_extension(".h5");
+}
 
 int run_command(const RunOptions& options) {
   options.figures.check();

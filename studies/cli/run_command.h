@@ -26,6 +26,9 @@ struct RunOptions {
   int threads = 0;      ///< of a study; 0: as many as the machine has
 };
 
+/// Path of the results file. @throws Error unless it ends in .h5
+std::filesystem::path results_of(const RunOptions& options);
+
 /// `gurney run`: reads the job, checks that its files can be written, simulates, writes the results
 /// file, the figure and the log, and prints the summary.
 /// @returns 0, or 3 for a run that failed (its files are written, with the cause)

@@ -37,11 +37,7 @@ study::Shard shard_of(const RunOptions& options) {
 }
 
 Paths paths_for(const RunOptions& options, const study::Shard& shard) {
-  fs::path results = options.output;
-  if (results.empty())
-    results = fs::path("out") / fs::path(options.job).stem().replace_extension(".h5");
-  require(results.extension() == ".h5",
-          options.output + ": the results file must end in .h5 (-o FILE.h5)");
+  const fs::path results = results_of(options);
   if (options.shard.empty())
     return {results, fs::path(results).replace_extension(".log"), results.string() + ".parts"};
   const fs::path shards = study::shards_path(results);

@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
+#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/plan/plan.h"
 #include "studies/results/output_files.h"
@@ -208,8 +209,7 @@ int submit_command(const SubmitOptions& options) {
   motions.read_all(1);  // what is wrong with a record is said here and not by every shard
   const std::string stem = fs::path(options.job).stem().string();
   const std::string results = no_option(options.output.empty() ? stem + ".h5" : options.output);
-  require(fs::path(results).extension() == ".h5",
-          results + ": the results file must end in .h5 (-o FILE.h5)");
+  results_file(results);
   const std::string script =
       no_option(options.script.empty() ? stem + scheduler.suffix : options.script);
   study::OutputFiles files(options.overwrite);

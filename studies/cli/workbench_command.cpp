@@ -100,7 +100,7 @@ Content with_room(const fs::path& room) {
 Content content_of(const std::string& file) {
   const bool is_name = !fs::path(file).has_extension() && file.find('/') == std::string::npos;
   if (is_name && !is_there(file)) {
-    item_file(file);
+    data_file(equipment::DataKind::kItem, file);
     return with_item(file, {});
   }
   require_job(file, "workbench");
