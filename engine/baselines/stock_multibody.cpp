@@ -83,7 +83,7 @@ class StockMultibody : public StockModel {
       if (caster.swivels())
         item_.body().addJointTorque(fork, -caster.swivel_friction().viscous * rates[0]);
       item_.body().addJointTorque(fork + 1, -caster.axle_friction().viscous * rates[1]);
-      const double axle = std::min(caster.axle_limit(), kUnlimitedTorque);
+      const double axle = std::min(caster.axle_limit(false), kUnlimitedTorque);
       axles_[i]->setMaxAppliedImpulse((resistance_[i] * normal_[i] + axle) * duration);
       if (swivels_[i] != nullptr)
         swivels_[i]->setMaxAppliedImpulse(std::min(caster.swivel_limit(), kUnlimitedTorque) *

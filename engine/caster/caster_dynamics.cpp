@@ -43,6 +43,7 @@ double stick_stiffness(const Caster& caster, double lever) {
 CasterDynamics::CasterDynamics(const Caster& caster, const Vector3& chassis_center)
     : tread_(caster.tread, caster.wheel_radius),
       axle_limit_(caster.axle.coulomb + caster.brake_torque),
+      sliding_axle_limit_(caster.axle.coulomb + caster.brake_sliding_ratio * caster.brake_torque),
       swivel_limit_(caster.swivel.coulomb + caster.swivel_lock_torque),
       braked_(caster.brake_torque > 0),
       turns_into_motion_(caster.swivels && caster.swivel_lock_torque == 0 &&

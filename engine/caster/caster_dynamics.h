@@ -96,7 +96,9 @@ class CasterDynamics {
   const TreadLaw& tread() const { return tread_; }
   const DryFriction& axle_friction() const { return axle_; }
   const DryFriction& swivel_friction() const { return swivel_; }
-  double axle_limit() const { return axle_limit_; }
+  /// Largest dry torque of the axle: of a brake what it holds until it slips, and less from then until
+  /// it sticks again [N m].
+  double axle_limit(bool slips) const { return slips ? sliding_axle_limit_ : axle_limit_; }
   double swivel_limit() const { return swivel_limit_; }
   bool swivels() const { return constants_.swivels != 0; }
   /// Whether a free swivel follows the motion at the start: it has a trail to speak of and no lock.
@@ -118,7 +120,7 @@ class CasterDynamics {
 
   TreadLaw tread_;
   DryFriction axle_, swivel_;
-  double axle_limit_, swivel_limit_;
+  double axle_limit_, sliding_axle_limit_, swivel_limit_;
   bool braked_, turns_into_motion_;
   double heading_, swing_, reach_;
   Vector3 mount_;         // chassis axes, relative to O

@@ -150,7 +150,7 @@ void Recorder::observe_wheels(const Stepper::Step& step) {
     wheel.lateral_force = heading.x() * tangential.y() - heading.y() * tangential.x();
     wheel.scrub_torque = caster.tread().spin_radius() * tread.force[3];
     wheel.rolling_resistance_force = tread.force[4] / caster.wheel_radius();
-    wheel.mode = mode_of(caster, tread, step.end->items[item_].axle_slips[i]);
+    wheel.mode = mode_of(caster, tread, to.casters[i].axle_slips);
     // A wheel in the air may spin on a free axle for ever; that is no motion of the item.
     const double spin = wheel.mode == WheelMode::kLifted ? 0 : std::abs(rates[1]);
     speed_ = std::max({speed_, std::abs(rates[0]) * (trails_[i] + caster.wheel_radius()),

@@ -25,7 +25,8 @@ struct EnergyAccount {
   double swivel_loss = 0;      ///< swivel bearings and locks
   double damper_loss = 0;      ///< dampers of guides, blocks and cables; weights that land
   double contact_loss = 0;     ///< bodies in contact with other things than wheels with the floor
-  double numerical_loss = 0;   ///< dissipated by the integrator, from its own formula
+  /// Dissipated by the integrator, from its own formula, and by joints whose constraints it missed.
+  double numerical_loss = 0;
 
   double stored() const { return kinetic + gravitational + elastic + weight_energy; }
   double work() const {

@@ -51,6 +51,8 @@ void check_caster(const Caster& caster, Problems& problems) {
   problems.not_negative("swivel.coulomb", caster.swivel.coulomb);
   problems.not_negative("swivel.viscous", caster.swivel.viscous);
   problems.check(caster.brake_torque >= 0, "brake_torque", caster.brake_torque, ">= 0");
+  problems.check(caster.brake_sliding_ratio >= 0.1 && caster.brake_sliding_ratio <= 1,
+                 "brake_sliding_ratio", caster.brake_sliding_ratio, "0.1 to 1");
   problems.check(caster.swivel_lock_torque >= 0, "swivel_lock_torque", caster.swivel_lock_torque,
                  ">= 0");
   check_tread(caster.tread, problems);

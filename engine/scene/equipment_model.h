@@ -70,8 +70,9 @@ struct Caster {
   BearingFriction axle;
   BearingFriction swivel;
   // Both hold by springs of ten times the tread's stiffness (docs/theory/tread.md).
-  double brake_torque = 0;        ///< on the axle; 0: brake off; infinite: never slips [N m]
-  double swivel_lock_torque = 0;  ///< on the swivel; 0: free; infinite: never slips [N m]
+  double brake_torque = 0;         ///< held on the axle; 0: brake off; infinite: never slips [N m]
+  double brake_sliding_ratio = 1;  ///< torque of a brake that slips over that, 0.1..1
+  double swivel_lock_torque = 0;   ///< on the swivel; 0: free; infinite: never slips [N m]
 };
 
 /// One item: a rigid chassis with payloads on up to 8 casters; without casters the lowest faces of

@@ -7,13 +7,12 @@ CasterLanes::CasterLanes(const Mechanism& mechanism, std::size_t first)
     : first_(first), count_(std::min(kLanes, mechanism.casters.size() - first)) {
   for (std::size_t k = 0; k < kLanes; ++k) {
     const CasterDynamics& caster = mechanism.casters[first + std::min(k, count_ - 1)];
-    laws_[k] = &caster.tread();
+    casters_[k] = &caster;
     set_lane(body_, k, caster.constants());
     set_lane(tread_, k, caster.tread().constants());
     set_lane(swivel_, k, caster.swivel_friction());
     set_lane(axle_, k, caster.axle_friction());
     swivel_limit_[k] = caster.swivel_limit();
-    axle_limit_[k] = caster.axle_limit();
   }
   cosines_.fill(1);
 }
@@ -63,11 +62,14 @@ void CasterLanes::update_geometry(const State& start, double tau, const Velocity
   const auto of_tread = [&](const auto& number) {
     return gather([&](std::size_t k) -> double { return number(casters[k].tread); });
   };
-  stage_.mu = gather([&](std::size_t k) { return laws_[k]->friction(casters[k].tread); });
+  stage_.mu =
+      gather([&](std::size_t k) { return casters_[k]->tread().friction(casters[k].tread); });
   stage_.deflection = {of_tread([](const TreadState& t) { return t.deflection[0]; }),
                        of_tread([](const TreadState& t) { return t.deflection[1]; }),
                        of_tread([](const TreadState& t) { return t.deflection[2]; })};
   stage_.roll_deflection = of_tread([](const TreadState& t) { return t.roll_deflection; });
+  axle_limit_ =
+      gather([&](std::size_t k) { return casters_[k]->axle_limit(casters[k].axle_slips); });
   swivel_wind_ = gather([&](std::size_t k) { return casters[k].swivel_wind; });
   axle_wind_ = gather([&](std::size_t k) { return casters[k].axle_wind; });
   const LaneMask rolls =

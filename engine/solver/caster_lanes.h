@@ -68,7 +68,6 @@ class CasterLanes {
   };
   struct Outputs {
     TreadLaw::Result* treads;
-    bool* axle_slips;
     Vector2* heading;
     Eigen::Vector2d* accelerations;
   };
@@ -108,8 +107,8 @@ class CasterLanes {
   CasterConstants<Lanes> body_;
   TreadConstants<Lanes> tread_;
   DryFrictionOf<Lanes> swivel_, axle_;
-  Lanes swivel_limit_{}, axle_limit_{};
-  std::array<const TreadLaw*, kLanes> laws_{};
+  Lanes swivel_limit_{};
+  std::array<const CasterDynamics*, kLanes> casters_{};
 
   // Where the stage ends and what acts there: update_geometry.
   CasterMotion<Lanes> motion_;
@@ -120,7 +119,7 @@ class CasterLanes {
   // At the velocity last asked for: evaluate_forces; then matrix and eliminate.
   TreadForce<Lanes> force_;
   TreadSlope<Lanes> slope_;
-  Lanes swivel_wind_{}, axle_wind_{};  // at the start of the stage
+  Lanes swivel_wind_{}, axle_wind_{}, axle_limit_{};  // by the start of the stage
   DryFrictionOf<Lanes>::Result swivel_friction_, axle_friction_;
   std::array<Lanes, 2> joint_residual_{};                     // q
   std::array<std::array<Lanes, 2>, 2> joints_{}, inverse_{};  // E, E^-1, by columns

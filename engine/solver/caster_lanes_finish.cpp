@@ -67,6 +67,7 @@ void CasterLanes::finish(const State& start, double length, const Velocity& v,
                 tread.rolls[k] != 0};
     is.swivel_wind = swivel_friction_.deflection[k];
     is.axle_wind = axle_friction_.deflection[k];
+    is.axle_slips = axle_friction_.slips[k] != 0;
     TreadLaw::Result& result = out.treads[k];
     result.force << force_.patch.x[k], force_.patch.y[k], force_.normal[k], force_.patch.z[k],
         force_.roll[k];
@@ -79,7 +80,6 @@ void CasterLanes::finish(const State& start, double length, const Velocity& v,
     result.damping_power = tread.damping_power[k];
     result.slip_speed = tread.slip_speed[k];
     result.spring_rates = tread.spring_rates[k];
-    out.axle_slips[k] = axle_friction_.slips[k] != 0;
     out.heading[k] = lane(g.axle_level, k).cross(Vector3::UnitZ()).head<2>();
     out.accelerations[k] = {b0[k], b1[k]};
   }

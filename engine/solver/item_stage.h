@@ -35,7 +35,6 @@ class ItemStage {
     EnergyAccount power;      ///< work and loss entries in W
     double spring_rates = 0;  ///< a' M a + sum of k x'^2 [W/s]: for the numerical loss
     std::array<TreadLaw::Result, kMaxCasters> treads;
-    std::array<bool, kMaxCasters> axle_slips{};
     std::array<Vector2, kMaxCasters> heading;
   };
 
@@ -53,7 +52,8 @@ class ItemStage {
   /// A force along a generalised direction of the chassis, of a joint; and its slope into K.
   void add_force(const Vector6& direction, double force) { force_ += force * direction; }
   void add_slope(const Vector6& direction, double slope) {
-    matrix_ += (tau_ * slope) * direction * direction.transpose();
+    const Vector6 scaled = tau_ * slope * direction;
+    matrix_.noalias() += scaled * direction.transpose();
   }
   /// @returns the largest entry as a fraction of M g tau
   double end_forces(const Input& input, const Velocity& v);

@@ -33,7 +33,7 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
   for (const CasterLanes& lanes : casters_) {
     const std::size_t i = lanes.first();
     lanes.finish(start, tau, v, a, end,
-                 {&out.treads[i], &out.axle_slips[i], &out.heading[i], &out.acceleration.joints[i]},
+                 {&out.treads[i], &out.heading[i], &out.acceleration.joints[i]},
                  {power, rates, momentum});
   }
   power.work_of_floor = -input.floor.acceleration.dot(momentum);

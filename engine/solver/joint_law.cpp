@@ -66,19 +66,19 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
   const Vector3 arm = part.rotation * on_part_;  // of the part's point
   const Vector3 from_base = part.position + arm - base.position;
   const Vector3 apart = from_base - base.rotation * on_base_;
-  const auto add = [&](double value, double stiffness, double damping) -> Row& {
+  const auto add = [&](double value, bool free, double hold) -> Row& {
     Row& row = result.rows[result.count++];
     row.value = value;
-    row.stiffness = stiffness;
-    row.damping = damping;
+    row.stiffness = free ? joint_.stiffness : hold;
+    row.damping = free ? joint_.damping : hold * kHoldTime;
+    row.holds = !free;
     return row;
   };
   for (int k = 0; k < 3; ++k) {
     const Vector3 d = frame.col(k);
     const bool free = slides() && k == 2;
     if (free) result.along = result.count;
-    Row& row = add(d.dot(apart), free ? joint_.stiffness : hold_,
-                   free ? joint_.damping : hold_ * kHoldTime);
+    Row& row = add(d.dot(apart), free, hold_);
     row.part << d, arm.cross(d);
     row.base << d, from_base.cross(d);
   }
@@ -91,12 +91,12 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
     const Vector3 axis = relative * joint_.axis;
     for (int k = 0; k < 2; ++k)
       turning(base.rotation * axis.cross(frame_.col(k)),
-              add(frame_.col(k).dot(axis), hold_turn_, hold_turn_ * kHoldTime));
+              add(frame_.col(k).dot(axis), false, hold_turn_));
     const Vector3 across = relative * frame_.col(0);
     const double angle = std::atan2(frame_.col(1).dot(across), frame_.col(0).dot(across));
     result.along = result.count;
-    turning(frame.col(2), add(turn + std::remainder(angle - turn, 2 * std::numbers::pi),
-                              joint_.stiffness, joint_.damping));
+    turning(frame.col(2),
+            add(turn + std::remainder(angle - turn, 2 * std::numbers::pi), true, 0));
     return result;
   }
   const Vector3 theta = rotation_vector(relative);
@@ -106,8 +106,7 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
         joint_.kind == JointKind::kBall || (joint_.kind == JointKind::kFlexible && k < 2);
     if (free && joint_.stiffness == 0 && joint_.damping == 0) continue;
     turning(base.rotation * to_rates * frame_.col(k),
-            add(frame_.col(k).dot(theta), free ? joint_.stiffness : hold_turn_,
-                free ? joint_.damping : hold_turn_ * kHoldTime));
+            add(frame_.col(k).dot(theta), free, hold_turn_));
   }
   return result;
 }
@@ -160,6 +159,10 @@ double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rat
   double spring_rates = 0;
   for (std::size_t i = 0; i < stage.rows.count; ++i) {
     const Row& row = stage.rows.rows[i];
+    if (row.holds) {
+      power.numerical_loss += force(stage, i, rates[i]).force * rates[i];
+      continue;
+    }
     power.damper_loss += row.damping * rates[i] * rates[i];
     spring_rates += row.stiffness * rates[i] * rates[i];
   }
@@ -175,8 +178,13 @@ double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rat
   }
   if (stage.start.latched) {
     const double k = latch_stiffness();
-    power.damper_loss += k * kHoldTime * rate * rate;
-    spring_rates += k * rate * rate;
+    if (locked()) {
+      const double yield = end.coordinate - stage.start.latched_at;
+      power.numerical_loss += k * (yield + kHoldTime * rate) * rate;
+    } else {
+      power.damper_loss += k * kHoldTime * rate * rate;
+      spring_rates += k * rate * rate;
+    }
   }
   for (int side = 0; side < 2; ++side) {
     if (std::isinf(side == 0 ? joint_.lower : joint_.upper)) continue;
@@ -215,12 +223,13 @@ double JointLaw::stored_energy(const Rows& rows, const JointState& state) const 
   double energy = 0.5 * friction_.stiffness * state.wind * state.wind;
   for (std::size_t i = 0; i < rows.count; ++i) {
     const Row& row = rows.rows[i];
+    if (row.holds) continue;
     const double stretch = row.value - (i == rows.along ? joint_.rest : 0);
     energy += 0.5 * row.stiffness * stretch * stretch;
   }
   if (!rows.along) return energy;
   const double q = rows.rows[*rows.along].value;
-  if (state.latched)
+  if (state.latched && !locked())
     energy += 0.5 * latch_stiffness() * (q - state.latched_at) * (q - state.latched_at);
   return energy + stop_.stored_energy(joint_.lower - q, 0) +
          stop_.stored_energy(q - joint_.upper, 0);

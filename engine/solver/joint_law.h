@@ -46,6 +46,7 @@ class JointLaw {
     Vector6 part, base;  ///< d_p, d_b
     double value = 0;    ///< e [m], [rad]
     double stiffness = 0, damping = 0;
+    bool holds = false;
 
     double rate(const Vector6& of_part, const Vector6& of_base) const {
       return part.dot(of_part) - base.dot(of_base);
@@ -74,7 +75,9 @@ class JointLaw {
   };
   Force force(const Stage& stage, std::size_t row, double rate) const;
 
-  /// Adds the powers of losses, and returns the sum of k e'^2 (EnergyAccount::numerical_loss).
+  /// Adds the powers of losses, and returns the sum of k e'^2 of springs
+  /// (EnergyAccount::numerical_loss). What a held direction takes while the integration's error of its
+  /// constraint decays is numerical.
   /// @param rates  of the rows
   double finish(const Stage& stage, const std::array<double, kRows>& rates, EnergyAccount& power,
                 JointState& end) const;
@@ -86,7 +89,7 @@ class JointLaw {
   /// @param rate  of q
   double work_latch(double rate, JointState& state) const;
 
-  /// [J]
+  /// Of springs; held directions store nothing [J].
   double stored_energy(const Rows& rows, const JointState& state) const;
 
   /// Overlap of q with a stop and its speed towards it; of the lower stop, then the upper one.

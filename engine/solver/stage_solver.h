@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/solver/assembly.h"
+#include "engine/solver/block_system.h"
 #include "engine/solver/island.h"
 #include "engine/solver/item_stage.h"
 
@@ -118,11 +119,12 @@ class StageSolver {
   std::vector<std::size_t> group_of_, group_;  // items that push each other, by the first of them
   /// Where the unknowns of an item are in the system of its group: its chassis, then its kept joints.
   struct Place {
+    std::size_t block = 0;
     Eigen::Index chassis = 0;
     std::array<Eigen::Index, kMaxCasters> joints{};
   };
-  std::vector<Place> places_;                // as Scene::items
-  std::vector<double> matrix_, right_side_;  // of a group, by columns
+  std::vector<Place> places_;  // as Scene::items
+  BlockSystem system_;         // of a group
 };
 
 }  // namespace gurney

@@ -30,6 +30,7 @@ struct CasterState {
   TreadState tread;
   double swivel_wind = 0;  ///< deflection of stuck swivel friction [rad]
   double axle_wind = 0;    ///< of stuck axle friction or brake [rad]
+  bool axle_slips = false;
 };
 
 /// Everything of one item that evolves.

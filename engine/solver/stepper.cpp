@@ -61,6 +61,7 @@ void extrapolate_item(const State& from, const State& end, const Velocity& accel
     s.tread.roll_deflection = extrapolated(a.tread.roll_deflection, b.tread.roll_deflection);
     s.tread.sliding = a.tread.sliding;
     s.tread.rolling = b.tread.rolling;
+    s.axle_slips = a.axle_slips;
   }
   start.broken_tethers = from.broken_tethers;
   if (!from.loads.empty()) from.loads.extrapolate(end.loads, kExtrapolation, start.loads);
@@ -79,6 +80,7 @@ void add_power(const EnergyAccount& power, double time, EnergyAccount& account) 
   account.swivel_loss += time * power.swivel_loss;
   account.damper_loss += time * power.damper_loss;
   account.contact_loss += time * power.contact_loss;
+  account.numerical_loss += time * power.numerical_loss;
 }
 
 }  // namespace

@@ -97,6 +97,11 @@ Uncertain<CasterType> read_caster_type(config::Table table) {
   type.set(&CasterType::brake_torque,
            in.number("brake_torque_n_m", Range::positive().with_infinity(), 0.0),
            &CasterType::brake_assumptions);
+  type.set(&CasterType::brake_sliding_ratio,
+           in.number("brake_sliding_ratio", Range::within(0.1, 1), 1.0),
+           &CasterType::brake_assumptions);
+  if (table.has("brake_sliding_ratio") && !table.has("brake_torque_n_m"))
+    table.note("brake_sliding_ratio", ": must go with brake_torque_n_m");
   type.set(&CasterType::swivel_lock_torque,
            in.number("swivel_lock_torque_n_m", Range::positive().with_infinity(), 0.0),
            &CasterType::lock_assumptions);

@@ -17,8 +17,9 @@ struct CasterType {
   Caster properties;                   ///< mount, heading, brake and lock are of the place, not set
   double wheel_inertia_ratio = 0;      ///< axial moment of the wheel over m R^2
   Vector3 fork_box = Vector3::Zero();  ///< of the fork's moments of inertia [m]
-  double brake_torque = 0;        ///< when on, may be infinite; 0: the caster has no brake [N m]
-  double swivel_lock_torque = 0;  ///< the same for the swivel lock [N m]
+  double brake_torque = 0;         ///< when on, may be infinite; 0: the caster has no brake [N m]
+  double brake_sliding_ratio = 1;  ///< torque of a brake that slips over that which it held
+  double swivel_lock_torque = 0;   ///< the same for the swivel lock [N m]
   std::vector<Assumption> assumptions;  ///< besides those of brake and lock
   std::vector<Assumption> brake_assumptions;
   std::vector<Assumption> lock_assumptions;

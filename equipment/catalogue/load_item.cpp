@@ -87,7 +87,10 @@ Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& o
   caster.heading = option_at(options.headings, i, place.heading);
   caster.swivels = place.swivels;
   const bool braked = option_at(options.brakes, i, place.brake_on);
-  if (braked) caster.brake_torque = type.brake_torque;
+  if (braked) {
+    caster.brake_torque = type.brake_torque;
+    caster.brake_sliding_ratio = type.brake_sliding_ratio;
+  }
   add_switched(assumptions, type.brake_assumptions, braked,
                option_at(options.brakes_drawn, i, place.brake_drawn));
   const bool locked = option_at(options.swivel_locks, i, place.swivel_locked);

@@ -128,8 +128,8 @@ class Variants {
       straps.reason = "it did not move in any direction";
       return;
     }
-    const Vector3 point = whole_item(item_.model).center_of_mass;
-    for (const double side : {1.0, -1.0}) add_strap(straps.scene, point, side);
+    straps.scene.tethers.push_back(strap_of(scene_, of_.subject, "strap ahead", of_.direction));
+    straps.scene.tethers.push_back(strap_of(scene_, of_.subject, "strap behind", -of_.direction));
   }
 
   std::vector<Variant> all() && { return std::move(variants_); }
@@ -160,25 +160,6 @@ class Variants {
     const auto erased =
         std::erase_if(variant.scene.room, [&](const RoomShape& s) { return s.name == other; });
     if (erased == 0) variant.reason = other + " is an item, not a part of the room";
-  }
-
-  void add_strap(Scene& scene, const Vector3& point, double side) const {
-    constexpr double kSlack = 0.02, kStiffness = 5e4, kDamping = 500;
-    double reach = 0;
-    for (const Box& box : item_.model.shape)
-      reach = std::max(reach, (box.center.cwiseAbs() + box.size / 2).head<2>().norm());
-    const Vector3 from = on_floor(item_, point);
-    Vector3 anchor = from;
-    anchor.head<2>() += side * (reach + 0.3) * of_.direction;
-    Tether strap;
-    strap.name = side > 0 ? "strap ahead" : "strap behind";
-    strap.item = of_.subject;
-    strap.point = point;
-    strap.anchor = anchor;
-    strap.slack_length = (anchor - from).norm() + kSlack;
-    strap.stiffness = kStiffness;
-    strap.damping = kDamping;
-    scene.tethers.push_back(strap);
   }
 
   const Scene& scene_;
@@ -354,6 +335,26 @@ std::string of_replicas(const WhatIf& what, const std::string& event) {
 }
 
 }  // namespace
+
+Tether strap_of(const Scene& scene, std::size_t item, const std::string& name,
+                const Vector2& towards) {
+  constexpr double kOutside = 0.3, kSlack = 0.02, kStiffness = 5e4, kDamping = 500;
+  const PlacedItem& placed = scene.items[item];
+  double reach = 0;
+  for (const Box& box : placed.model.shape)
+    reach = std::max(reach, (box.center.cwiseAbs() + box.size / 2).head<2>().norm());
+  Tether strap;
+  strap.name = name;
+  strap.item = item;
+  strap.point = whole_item(placed.model).center_of_mass;
+  const Vector3 from = on_floor(placed, strap.point);
+  strap.anchor = from;
+  strap.anchor.head<2>() += (reach + kOutside) * towards;
+  strap.slack_length = (strap.anchor - from).norm() + kSlack;
+  strap.stiffness = kStiffness;
+  strap.damping = kDamping;
+  return strap;
+}
 
 std::vector<Variant> variants_of(const study::RunFacts& facts, const Explanation& of) {
   Variants variants(facts, of);

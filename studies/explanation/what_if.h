@@ -25,6 +25,12 @@ struct Variant {
 /// as long as the new place needs.
 std::vector<Variant> variants_of(const study::RunFacts& facts, const Explanation& of);
 
+/// A strap of 50 kN/m with 20 mm of slack from the centre of mass of an item, as it stands at the start,
+/// to an anchor 0.3 m outside of it.
+/// @param towards  unit, in plan
+Tether strap_of(const Scene& scene, std::size_t item, const std::string& name,
+                const Vector2& towards);
+
 /// Displacement of an event that counts as prevented [m].
 inline constexpr double kHarmless = 0.05;
 

@@ -100,6 +100,23 @@ void add_coverings(Json& all, const std::string& now) {
 
 }  // namespace
 
+Json straps_answer(const std::string& text, std::size_t item) {
+  config::Document document(text, kJob);
+  const study::Job job = study::read_job(document);
+  require(item < job.scene.items.size(), "the job has no such item");
+  const PlacedItem& placed = job.scene.items[item];
+  const double yaw = placed.initial.yaw;
+  const Vector2 ahead(std::cos(yaw), std::sin(yaw));
+  Json tables = Json::array();
+  for (const double side : {1.0, -1.0})
+    tables.push_back(table_of(
+        explanation::strap_of(job.scene, item,
+                              placed.name + (side > 0 ? ": strap ahead" : ": strap behind"),
+                              side * ahead),
+        placed.name));
+  return {{"tables", tables}};
+}
+
 Json alternatives_answer(const std::string& text) {
   const study::RunFacts facts = facts_of(text);
   const Scene& scene = facts.scene;

@@ -118,7 +118,7 @@ Json catalogue_answer() {
 Json plan_answer(const std::string& job) {
   config::Document document(job, kJob);
   const study::Job read = study::read_job(document);
-  Json items = Json::array(), room = Json::array();
+  Json items = Json::array(), room = Json::array(), tethers = Json::array();
   for (std::size_t i = 0; i < read.scene.items.size(); ++i) {
     const PlacedItem& item = read.scene.items[i];
     if (const std::size_t owner = read.owners[i];
@@ -142,7 +142,21 @@ Json plan_answer(const std::string& job) {
                      {"wheels", wheels}});
   }
   for (const RoomShape& shape : read.scene.room) room.push_back(outline_of(shape));
-  return {{"items", items}, {"room", room}, {"tree", tree_of(config::read_toml(job, kJob))}};
+  for (const Tether& tether : read.scene.tethers) {
+    const InitialMotion& at = read.scene.items[tether.item].initial;
+    const Vector2 from =
+        at.position.head<2>() + Eigen::Rotation2Dd(at.yaw) * tether.point.head<2>();
+    tethers.push_back({{"name", tether.name},
+                       {"item", read.scene.items[tether.item].name},
+                       {"from", pair(from.x(), from.y())},
+                       {"to", pair(tether.anchor.x(), tether.anchor.y())}});
+  }
+  const bool building = read.record && read.record->building;
+  return {{"items", items},
+          {"room", room},
+          {"tethers", tethers},
+          {"storeys", building ? read.record->building->building.storeys : 0},
+          {"tree", tree_of(config::read_toml(job, kJob))}};
 }
 
 /// "Overturned: pole." or "Nothing overturned; ventilator went farthest from its start, 201 mm."

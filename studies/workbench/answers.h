@@ -16,10 +16,14 @@ inline const std::string kJob = std::string(kFolder) + "job.toml";
 /// Files have changed: what was read of them counts no more.
 void forget_files();
 
+/// Tables of two straps that hold an item of the job from its front and its back.
+Json straps_answer(const std::string& job, std::size_t item);
+
 /// Names and descriptions of what is shipped, and the kinds of synthetic motions.
 Json catalogue_answer();
 
-/// What stands where at the start: outlines of items and room, in plan.
+/// What stands where at the start: outlines of items and room and tethers, in plan; and the storeys of
+/// its building.
 Json plan_answer(const std::string& job);
 
 /// A run with its findings, as `gurney run --json` and as people read them, its limit states and the

@@ -57,6 +57,13 @@ function withoutTable(text, name) {
   return lines.join('\n').replace(/\n{3,}/g, '\n\n');
 }
 
+/// Without the tethers of an item.
+function withoutTethers(text, tree, item) {
+  const tethers = tree.keys.tether?.list || [];
+  const its = tethers.filter(({ keys }) => (keys.item?.value ?? item) === item);
+  return its.reduceRight((shorter, table) => withoutElement(shorter, table, 'tether'), text).replace(/\n{3,}/g, '\n\n');
+}
+
 const withTable = (text, name, body) => `${withoutTable(text, name).trimEnd()}\n\n[${name}]\n${body}\n`;
 
 const kItemHeader = /^\s*\[\[?\s*item\s*\]\]?/;

@@ -43,13 +43,16 @@ history_step_s = 0.02
 `;
 const kShippedRecord = 'file = "../../groundmotions/records/synthetic_3c.csv"';
 const kRuns = 100;
+/// Controls of keys of a job, as messages name them.
+const kFields = { yaw_deg: 'yaw', brakes: 'brakes', headings_deg: 'headings', 'room.file': 'room', 'floor.covering': 'covering', 'excitation.record': 'motion', 'excitation.record.scale': 'scale', 'excitation.building': 'building', 'excitation.building.floor': 'storey' };
 
 class Workbench {
   constructor(module) {
     this.engines = new Engines(module, Math.max(1, Math.min(8, navigator.hardwareConcurrency || 2)));
     this.chosen = 0;
     this.edits = Promise.resolve();
-    this.pane = new TextPane({ text: element('text'), lines: element('lines'), errors: element('errors'), file: 'job.toml', changed: () => this.read() });
+    const fields = Object.entries(kFields).map(([key, id]) => [key, element(id)]);
+    this.pane = new TextPane({ text: element('text'), lines: element('lines'), errors: element('errors'), file: 'job.toml', fields, changed: () => this.read() });
     this.prevented = new Prevented(this.engines, (text) => this.change(text).then(() => this.run()));
     this.plan = new Plan(element('plan'), (...where) => this.place(...where), (i) => this.choose(i));
     this.connect();
@@ -92,7 +95,7 @@ class Workbench {
   /// A change at a line, of the text as the engine has read it; one after the other.
   edit(changed) {
     this.edits = this.edits.then(async () => {
-      if (this.text === this.known || (await this.read())) return this.change(changed(this.text));
+      if (this.text === this.known || (await this.read())) return this.change(await changed(this.text));
       element('status').textContent = 'The job text has errors; mend them first.';
       if (this.planned) this.plan.draw(this.planned);
     });
@@ -132,6 +135,11 @@ class Workbench {
     showChoice(element('room'), stated('room', 'file'));
     showChoice(element('covering'), stated('floor', 'covering'));
     showChoice(element('building'), stated('excitation', 'building', 'file'));
+    const { storeys } = this.planned;
+    element('on-storey').hidden = storeys === 0;
+    element('storey').replaceChildren(made('option', 'roof', { value: '"roof"' }), ...Array.from({ length: storeys }, (_, i) => made('option', i ? `${i} of ${storeys}` : 'base', { value: i })));
+    const storey = stated('excitation', 'building', 'floor');
+    element('storey').value = storey === storeys ? '"roof"' : asText(storey);
     const scale = stated('excitation', 'record', 'scale') || 1;
     element('scale').value = 20 * Math.log10(scale);
     element('scaled').textContent = `× ${+scale.toPrecision(3)}`;
@@ -157,6 +165,9 @@ class Workbench {
     element('yaw').value = rounded(degrees(item.yaw), 0.1);
     element('brakes').value = keys.brakes?.value === undefined ? '' : String(keys.brakes.value);
     element('headings').value = keys.headings_deg?.value ?? '';
+    const held = this.planned.tethers.filter((tether) => tether.item === item.name);
+    element('held').options[0].disabled = !held.length;
+    element('held').value = !held.length ? 'none' : held.length === 2 && held.every(({ name }) => name.startsWith(`${item.name}: strap `)) ? 'straps' : 'job';
   }
 
   place(index, at, yaw) {
@@ -170,6 +181,8 @@ class Workbench {
     changed('brakes', (value) => this.setItemKey(this.chosen, 'brakes', orNone(value)));
     changed('headings', (value) => this.setItemKey(this.chosen, 'headings_deg', orNone(value)));
     changed('add', (value) => this.add(value));
+    changed('held', (value) => this.hold(value));
+    changed('storey', (value) => this.setKey('excitation.building', 'floor', value));
     changed('room', (value) => (value ? this.setKey('room', 'file', asText(value)) : this.change(withoutTable(this.text, 'room'))));
     changed('covering', (value) => (value ? this.setKey('floor', 'covering', asText(value)) : this.change(withoutTable(this.text, 'floor'))));
     changed('building', (value) => this.change(value ? withTable(this.text, 'excitation.building', `file = ${asText(value)}\nfloor = "roof"`) : withoutTable(this.text, 'excitation.building')));
@@ -188,6 +201,18 @@ class Workbench {
     element('item-back').addEventListener('click', () => this.turnTo('roompage'));
     element('prevent').addEventListener('click', () => this.prevented.ask(this.ran, this.ranTree));
     this.connectFiles();
+  }
+
+  /// Two straps on the chosen item, or nothing, in place of its tethers.
+  hold(by) {
+    const index = this.chosen;
+    return this.edit(async (text) => {
+      const without = withoutTethers(text, this.tree, this.items[index].name);
+      if (by !== 'straps') return without;
+      const { tables, error } = await this.engines.ask('straps', String(index), without);
+      if (error) element('status').textContent = error;
+      return [without.trimEnd(), ...(tables || [])].join('\n\n');
+    });
   }
 
   turnTo(page) {

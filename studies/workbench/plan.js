@@ -28,6 +28,8 @@ class Plan {
     this.frame(plan);
     for (const shape of plan.room) this.svg.append(drawn('polygon', { class: 'wall', points: pointsOf(shape.corners) }, drawn('title', {}, shape.name)));
     plan.items.forEach((item, i) => this.svg.append(this.item(item, i)));
+    for (const { name, from, to } of plan.tethers)
+      this.svg.append(drawn('line', { class: 'tether', x1: from[0], y1: -from[1], x2: to[0], y2: -to[1] }, drawn('title', {}, name)));
     if (focused !== undefined) this.svg.querySelector(`[data-item="${focused}"]`)?.focus();
   }
 

@@ -2,9 +2,10 @@
 
 class TextPane {
   /// @param file     how messages of the engine name the text
+  /// @param fields   [key, control] of keys that have a control: it is marked where a message names its key
   /// @param changed  called a moment after the last change by hand
-  constructor({ text, lines, errors, file, changed }) {
-    Object.assign(this, { text, lines, errors, file });
+  constructor({ text, lines, errors, file, fields = [], changed }) {
+    Object.assign(this, { text, lines, errors, file, fields });
     let later;
     text.addEventListener('input', () => {
       this.showErrors('');
@@ -38,6 +39,11 @@ class TextPane {
         return row;
       }),
     );
+    for (const [key, control] of this.fields) {
+      const about = errors.filter((line) => line.split(' ').some((word) => word.replace(/:$/, '').endsWith(key)));
+      control.setAttribute('aria-invalid', about.length > 0);
+      control.title = about.join('\n');
+    }
     const bad = new Set(places.filter(Boolean).map(([, line]) => +line));
     this.lines.replaceChildren(...this.value.split('\n').flatMap((_, i) => [made(bad.has(i + 1) ? 'b' : 'span', String(i + 1)), '\n']));
   }

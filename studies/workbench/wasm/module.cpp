@@ -44,9 +44,9 @@ Json answered(std::string question) {
     return verb == "item" ? item_answer(word, question)
                           : outcome_answer(question, std::stoul(word));
   }
-  if (verb == "case") {
+  if (verb == "case" || verb == "straps") {
     const std::size_t index = std::stoul(taken(question, '\n'));
-    return case_answer(question, index);
+    return verb == "case" ? case_answer(question, index) : straps_answer(question, index);
   }
   if (verb == "catalogue") return catalogue_answer();
   if (verb == "plan") return plan_answer(question);

@@ -67,6 +67,20 @@ cat > try.js << 'JS'
     found.errors_of_hands = errors();
 
     const good = bench.text;
+    const choose = (id, value, then) => {
+      element(id).value = value;
+      element(id).dispatchEvent(new Event('change'));
+      return until(() => then() && bench.text === bench.known);
+    };
+    await choose('held', 'straps', () => bench.text.includes('[[tether]]'));
+    found.straps = [bench.text.match(/\[\[tether\]\]/g).length, document.querySelectorAll('#plan .tether').length, element('held').value].join();
+    await choose('held', 'none', () => !bench.text.includes('[[tether]]'));
+    found.freed = bench.text === good || bench.text;
+    await choose('building', element('building').options[1].value, () => bench.text.includes('"roof"'));
+    await choose('storey', '1', () => /floor = 1$/m.test(bench.text));
+    found.storey = errors() || element('storey').value;
+    await bench.change(good.replace('brakes = true', 'brakes = 3'));
+    found.field = [element('brakes').getAttribute('aria-invalid'), element('brakes').title, element('yaw').getAttribute('aria-invalid')].join();
     await bench.change(good.replace('brakes = true', 'brakes = maybe'));
     found.error = errors();
     await bench.change(good);
@@ -152,6 +166,10 @@ program.items.forEach((item, i) => { if (!(Math.abs(item.demands.peak_displaceme
 value headline | grep -qx "Nothing overturned; .* went farthest from its start, [0-9]* mm." || complain "the headline is $(value headline)"
 value dragged | grep -q "^1[.0-9]*, 1.2$" || complain "the dragged item is at $(value dragged)"
 [ -z "$(value errors_of_hands)" ] || complain "hands make errors: $(value errors_of_hands)"
+[ "$(value straps)" = 2,2,straps ] || complain "straps do not hold: $(value straps)"
+[ "$(value freed)" = true ] || complain "taking straps away leaves: $(value freed)"
+[ "$(value storey)" = 1 ] || complain "a storey cannot be chosen: $(value storey)"
+value field | grep -q "^true,.*brakes.*,false$" || complain "an error is not at its field: $(value field)"
 value error | grep -q "line 8: not valid TOML" || complain "an error of the job has no line: $(value error)"
 [ -z "$(value mended)" ] || complain "an error stays when it is mended: $(value mended)"
 value damaged | grep -q "damaged.AT2" || complain "a damaged record gives no message: $(value damaged)"

@@ -62,6 +62,13 @@ const peaks = found.alternatives.map((each) => {
 });
 assert(peaks[names.indexOf('with two straps')] < 0.5 * peak, 'straps do not hold');
 
+// Two straps are tables of the job.
+const { tables } = engine.ask('straps', '0', job);
+assert.strictEqual(tables.length, 2);
+const strapped = [job, ...tables].join('\n');
+assert(engine.ask('outcome', '0', strapped).peak_displacement[0] < 0.5 * peak, 'straps do not hold');
+assert.deepStrictEqual(engine.ask('plan', strapped).tethers.map(({ item }) => item), ['pole', 'pole']);
+
 // A file that changes is read again.
 engine.ask('file', 'cart.toml', text);
 const with_cart = job.replace('"infusion_pole"', '"cart.toml"');
