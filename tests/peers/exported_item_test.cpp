@@ -127,6 +127,7 @@ TEST(ExportedParts, HaveTheMassesAndFreedomsOfOursInMujoco) {
   expect("patient_monitor_stand", "flexible column and tilting monitor", 2 + 1);
   expect("medication_cart", "drawers and computer", 4 + 3 * 6);
   expect("icu_bed", "patient on mattress", 3 + 2);
+  expect("hospital_bed", "patient on mattress", 3);
   expect("neonatal_incubator", "door, tray and shelf", 1 + 1 + 2 + 2 * 6);
   expect("storage_shelving", "boxes on shelves", 5 * 6);
 }
