@@ -93,8 +93,9 @@ TEST_P(ExportedItem, StandsInMujoco) {
 INSTANTIATE_TEST_SUITE_P(Catalogue, ExportedItem,
                          testing::ValuesIn(equipment::catalogue_names(equipment::DataKind::kItem)));
 
-// Each joint of a part is a joint of MuJoCo: a slider one degree of freedom, a flexible one two, a ball three; a content has
-// six. The masses are those of the item with its parts, to the rounding of the test above for each body.
+// Each joint of a part is a joint of MuJoCo: a slider or hinge one degree of freedom, a flexible one
+// two, a ball three, a fixed one none; a content has six. The masses are those of the item with its
+// parts, to the rounding of the test above for each body.
 TEST(ExportedParts, HaveTheMassesAndFreedomsOfOursInMujoco) {
   const auto expect = [](const std::string& name, const std::string& variant, int freedoms) {
     const equipment::LoadedItem loaded = equipment::load_item(
@@ -122,6 +123,13 @@ TEST(ExportedParts, HaveTheMassesAndFreedomsOfOursInMujoco) {
   };
   expect("crash_cart", "drawers and defibrillator", 5 + 6);
   expect("infusion_pole", "flexible pole and bags", 2 + 3 + 3);
+  expect("icu_ventilator", "arm and circuit", 0 + 1 + 1 + 2);
+  expect("patient_monitor_stand", "flexible column and tilting monitor", 2 + 1);
+  expect("medication_cart", "drawers and computer", 4 + 3 * 6);
+  expect("icu_bed", "patient on mattress", 3 + 2);
+  expect("hospital_bed", "patient on mattress", 3);
+  expect("neonatal_incubator", "door, tray and shelf", 1 + 1 + 2 + 2 * 6);
+  expect("storage_shelving", "boxes on shelves", 5 * 6);
 }
 
 }  // namespace
