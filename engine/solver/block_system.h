@@ -41,10 +41,12 @@ class BlockSystem {
   Eigen::Index size_of(std::size_t block) const { return begin_[block + 1] - begin_[block]; }
   char& coupled(std::size_t a, std::size_t b) { return coupled_[a * count() + b]; }
   void eliminate(std::size_t block);
+  void reduce_rows(std::size_t block);
 
   std::vector<Eigen::Index> begin_{0};       // of each block, and the end
   std::vector<double> matrix_, right_side_;  // by columns
   std::vector<char> coupled_;                // of pairs of blocks
+  std::vector<double> rows_;                 // of the block that is eliminated, one after the other
   std::vector<std::size_t> later_;           // blocks that one is coupled to and that follow it
 };
 

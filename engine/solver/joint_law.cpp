@@ -95,8 +95,7 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
     const Vector3 across = relative * frame_.col(0);
     const double angle = std::atan2(frame_.col(1).dot(across), frame_.col(0).dot(across));
     result.along = result.count;
-    turning(frame.col(2),
-            add(turn + std::remainder(angle - turn, 2 * std::numbers::pi), true, 0));
+    turning(frame.col(2), add(turn + std::remainder(angle - turn, 2 * std::numbers::pi), true, 0));
     return result;
   }
   const Vector3 theta = rotation_vector(relative);

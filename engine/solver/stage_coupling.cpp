@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <ranges>
+#include <type_traits>
 
 #include "engine/solver/stage_solver.h"
 
@@ -73,8 +74,10 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
     const Matrix3 slope = tau * work.slope;
     const auto couple = [&](Eigen::Index row, const auto& left, Eigen::Index column,
                             const auto& right) {
-      K.block(row, column, left.cols(), right.cols()) -= left.transpose() * slope * right;
-      K.block(column, row, right.cols(), left.cols()) -= right.transpose() * slope * left;
+      constexpr int kLeft = std::remove_cvref_t<decltype(left)>::ColsAtCompileTime;
+      constexpr int kRight = std::remove_cvref_t<decltype(right)>::ColsAtCompileTime;
+      K.block<kLeft, kRight>(row, column).noalias() -= left.transpose() * (slope * right);
+      K.block<kRight, kLeft>(column, row).noalias() -= right.transpose() * (slope * left);
     };
     const Place &pa = places_[a.item], &pb = places_[b.item];
     system_.couple(pa.block, pb.block);

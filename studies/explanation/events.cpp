@@ -117,8 +117,11 @@ void add_tipping(const std::string& name, const std::vector<Sample>& history,
 }
 
 void add_item(const std::string& name, const EquipmentModel& model, const ItemResponse& item,
-              std::vector<Event>& events) {
+              bool is_part, std::vector<Event>& events) {
   const Demands& d = item.demands;
+  if (d.time_of_release >= 0)
+    events.push_back({d.time_of_release, EventKind::kReleased, name, "", 0});
+  if (is_part) return;  // it moves with its item
   if (const double onset = onset_of_motion(item.history); onset >= 0)
     events.push_back({onset, EventKind::kMoved, name, "", 0, true});
   add_brakes(name, model, item.history, events);
@@ -126,8 +129,6 @@ void add_item(const std::string& name, const EquipmentModel& model, const ItemRe
     add_tipping(name, item.history, events);
   else
     add_lifts(name, model, item, events);
-  if (d.time_of_release >= 0)
-    events.push_back({d.time_of_release, EventKind::kReleased, name, "", 0});
   if (d.time_of_fall >= 0) events.push_back({d.time_of_fall, EventKind::kFell, name, "", 0});
   if (d.time_of_overturning >= 0)
     events.push_back(
@@ -235,7 +236,8 @@ std::vector<Event> events_of(const study::RunFacts& facts, const Response& respo
   const std::vector<std::string> names = study::item_names(facts.scene);
   std::vector<Event> events;
   for (std::size_t i = 0; i < response.items.size(); ++i)
-    add_item(names.at(i), facts.scene.items.at(i).model, response.items[i], events);
+    add_item(names.at(i), facts.scene.items.at(i).model, response.items[i],
+             joint_of(facts.scene, i).has_value(), events);
   add_impacts(response, names, events);
   add_places(facts, response, names, events);
   std::ranges::stable_sort(events, {}, &Event::time);

@@ -12,23 +12,37 @@
 namespace gurney::explanation {
 namespace {
 
+/// Mass of an item with its parts and all that stands on it [kg].
+double carried_mass(const Scene& scene, std::size_t item) {
+  if (carrier_of(scene, item) != item) return whole_item(scene.items[item].model).mass;
+  double mass = 0;
+  for (std::size_t i = 0; i < scene.items.size(); ++i)
+    if (carrier_of(scene, i) == item) mass += whole_item(scene.items[i].model).mass;
+  return mass;
+}
+
 ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std::size_t index) {
   const ItemResponse& item = response.items[index];
   const EquipmentModel& model = facts.scene.items.at(index).model;
   const Demands& d = item.demands;
-  const MassProperties whole = whole_item(model);
+  const bool is_part = joint_of(facts.scene, index).has_value();
   ItemFacts result{.name = study::item_names(facts.scene).at(index),
                    .has_casters = !model.casters.empty(),
-                   .mass = whole.mass,
-                   .height_of_center_of_mass = whole.center_of_mass.z(),
+                   .on_floor = carrier_of(facts.scene, index) == index,
+                   .is_part = is_part,
+                   .mass = carried_mass(facts.scene, index),
+                   .height_of_center_of_mass = whole_item(model).center_of_mass.z(),
                    .peak_displacement = d.peak_displacement,
                    .time_of_peak_displacement = d.time_of_peak_displacement,
                    .residual_displacement = d.residual_displacement,
                    .peak_velocity = d.peak_velocity,
-                   .tilt = tilt_margin(model, item.history, until_overturned(item)),
-                   .grip = grip_margin(facts, index, item.history, until_overturned(item)),
+                   .tilt = {},
+                   .grip = {},
                    .first_lifted = {},
                    .first_skidded = {}};
+  if (!is_part) result.tilt = tilt_margin(model, item.history, until_overturned(item));
+  if (result.on_floor)
+    result.grip = grip_margin(facts, index, item.history, until_overturned(item));
   result.finding = finding_of(response, index, result.tilt.ratio());
   if (const auto lifts = lifts_of(model, item.history); !lifts.empty()) {
     result.first_lifted = caster_words(model, lifts.front().casters.front());
@@ -41,7 +55,8 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
   return result;
 }
 
-/// Item of the worst finding; of several the first to overturn, the hardest hit, the farthest moved.
+/// Item of the worst finding; of several the first to overturn, the hardest hit, the farthest moved. A part
+/// moves with its item, which comes first.
 std::size_t subject_of(const std::vector<ItemFacts>& items, const Response& response) {
   const auto severity = [&](std::size_t i) {
     const Impact* hit = hardest_impact(response, i);
@@ -53,7 +68,7 @@ std::size_t subject_of(const std::vector<ItemFacts>& items, const Response& resp
       case Finding::kRocked:
         return items[i].tilt.ratio();
       default:
-        return items[i].peak_displacement;
+        return items[i].is_part ? -1 : items[i].peak_displacement;
     }
   };
   std::size_t worst = 0;
@@ -152,12 +167,14 @@ Tracks tracks_of(const study::RunFacts& facts, const ItemResponse& item, const E
   const double until = until_overturned(item);
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (const Sample& sample : item.history) {
-    const Grip grip = sample.time > until ? Grip{kNone, kNone} : grip_of(facts, of.subject, sample);
+    const Grip grip = sample.time > until || !of.item().on_floor
+                          ? Grip{kNone, kNone}
+                          : grip_of(facts, of.subject, sample);
     tracks.time.push_back(sample.time);
     tracks.floor.push_back(along.dot(facts.floor.acceleration_at(sample.time).head<2>()));
     tracks.displacement.push_back(sample.displacement.head<2>().norm());
     tracks.tilt.push_back(sample.tilt);
-    tracks.critical.push_back(critical_tilt(model, sample));
+    tracks.critical.push_back(of.item().is_part ? kNone : critical_tilt(model, sample));
     tracks.demand.push_back(grip.demand);
     tracks.grip.push_back(grip.grip);
     tracks.energy.push_back(sample.energy);
@@ -396,7 +413,7 @@ Grip grip_of(const study::RunFacts& facts, std::size_t item, const Sample& sampl
   const Scene& scene = facts.scene;
   const EquipmentModel& model = scene.items.at(item).model;
   const Vector3 floor = facts.floor.acceleration_at(sample.time);
-  const double mass = whole_item(model).mass;
+  const double mass = carried_mass(scene, item);
   Grip result{mass * floor.head<2>().norm(), 0};
   for (std::size_t i = 0; i < model.casters.size(); ++i)
     result.grip += grip_of(model.casters[i], sample.wheels[i].normal_force);

@@ -84,7 +84,9 @@ struct GripMargin {
 struct ItemFacts {
   std::string name;
   bool has_casters = false;
-  double mass = 0;                      ///< [kg]
+  bool on_floor = true;  ///< not a part, nor on another item: only then it has a grip
+  bool is_part = false;  ///< which a joint holds: it has no edge to tip over
+  double mass = 0;       ///< with what it carries [kg]
   double height_of_center_of_mass = 0;  ///< [m]
   Finding finding = Finding::kStill;
   double peak_displacement = 0, time_of_peak_displacement = 0;  ///< [m], [s]

@@ -133,8 +133,8 @@ std::string grip_text(const ItemFacts& item, const UnitSystem& units) {
 Section margins(const Explanation& of) {
   const ItemFacts& item = of.item();
   Section all("", "Margins");
-  all.say(tilt_text(item, of.units));
-  if (!of.record.empty()) all.say(grip_text(item, of.units));
+  if (!item.is_part) all.say(tilt_text(item, of.units));
+  if (!of.record.empty() && item.on_floor) all.say(grip_text(item, of.units));
   if (!item.first_lifted.empty())
     all.say(fmt::format("First caster off the floor: {}, at {:.3f} s.", item.first_lifted,
                         item.time_of_lift));
@@ -173,6 +173,7 @@ Table items_table(const Explanation& of) {
                {"time_of_skid_s", ""}}};
   for (const ItemFacts& item : of.items) {
     const auto tilt = [&](const Value& value) { return item.tilt.tilt > 0 ? value : Value(); };
+    const auto of_grip = [&](const Value& value) { return item.on_floor ? value : Value(); };
     const GripMargin& grip = item.grip;
     table.add({item.name,
                name_of(item.finding),
@@ -188,12 +189,12 @@ Table items_table(const Explanation& of) {
                tilt(item.tilt.time),
                tilt(item.tilt.direction),
                tilt(time_of(item.tilt.time_passed)),
-               grip.demand,
-               grip.grip,
-               grip.time,
-               time_of(grip.time_exceeded),
-               grip.peak_demand,
-               grip.braked,
+               of_grip(grip.demand),
+               of_grip(grip.grip),
+               of_grip(grip.time),
+               of_grip(time_of(grip.time_exceeded)),
+               of_grip(grip.peak_demand),
+               of_grip(grip.braked),
                text_of(item.first_lifted),
                time_of(item.time_of_lift),
                text_of(item.first_skidded),
@@ -239,10 +240,11 @@ Section other_items(const Explanation& of) {
     if (i == of.subject) continue;
     all.say(item.finding == Finding::kStill
                 ? explanation::did_nothing(item)
-                : fmt::format("{}: {}; moved up to {}, tilt up to {:.0f} % of critical.", item.name,
-                              name_of(item.finding),
+                : fmt::format("{}: {}; moved up to {}{}.", item.name, name_of(item.finding),
                               explanation::length(item.peak_displacement, of.units),
-                              100 * item.tilt.ratio()));
+                              item.is_part ? ""
+                                           : fmt::format(", tilt up to {:.0f} % of critical",
+                                                         100 * item.tilt.ratio())));
   }
   return all;
 }

@@ -115,8 +115,7 @@ TEST(Parts, DoublePendulumOnAShakingFloor) {
     b[k] = -angle_about_y(r.items[2].history.back().orientation) - y[1];
     EXPECT_NEAR(r.items[1].demands.residual_swing, -y[0], 2 * std::abs(a[k]) + 1e-9);
     // The energy of a swing is as its amplitude squared: it may miss twice the share that the angles do.
-    EXPECT_LT(r.quality.energy_closure,
-              2 * std::hypot(a[k], b[k]) / r.items[1].demands.peak_swing);
+    EXPECT_LT(r.quality.energy_closure, 2 * std::hypot(a[k], b[k]) / r.items[1].demands.peak_swing);
   }
   const double finer = std::hypot(a[2], b[2]);
   EXPECT_NEAR(std::hypot(a[1], b[1]) / finer, 4, 1);

@@ -200,6 +200,32 @@ TEST(Explain, ChoosesTheItemToWhichTheWorstHappened) {
   EXPECT_NE(one_line(found).find("sticky did nothing"), std::string::npos);
 }
 
+// A bag of 10 kg hangs in the middle of a block that slides: it swings by far more than the block moves.
+TEST(Explain, TakesPartsAsOnesOfTheirItem) {
+  study::RunFacts facts = shaken_block(6);
+  PlacedItem bag = facts.scene.items[0];
+  bag.name = "block/bag";
+  bag.model.chassis_mass = 10;
+  bag.model.chassis_center_of_mass = {0, 0, 0.9};
+  bag.model.chassis_inertia = 0.05 * Matrix3::Identity();
+  bag.model.shape = {{{0, 0, 0.9}, {0.2, 0.2, 0.2}}};
+  facts.scene.items.push_back(bag);
+  Joint hook;
+  hook.kind = Joint::Kind::kBall;
+  hook.name = "bag";
+  hook.part = 1;
+  hook.point = {0, 0, 1.4};
+  facts.scene.joints = {hook};
+  const Explanation of = explained(facts);
+  EXPECT_GT(of.items[1].peak_displacement, of.items[0].peak_displacement);
+  EXPECT_EQ(of.subject, 0U);
+  EXPECT_NEAR(of.items[0].mass, kMass + 10, 1e-9);
+  EXPECT_NEAR(of.items[0].grip.peak_demand, 6 * (kMass + 10), 6 * (kMass + 10) * kOffPeak + 1e-9);
+  EXPECT_FALSE(of.items[1].on_floor);
+  EXPECT_EQ(of.items[1].tilt.ratio(), 0);
+  for (const Event& event : of.events) EXPECT_NE(event.item, of.items[1].name);
+}
+
 TEST(Explain, HasNothingToSayOfARunThatFailed) {
   Response response;
   response.outcome = Outcome::kDiverged;
