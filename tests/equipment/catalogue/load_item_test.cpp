@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "engine/base/units.h"
 #include "equipment/catalogue/catalogue.h"
@@ -105,6 +107,27 @@ TEST(LoadItem, OptionsChangeHeadingsBrakesLocksAndFloor) {
   EXPECT_DOUBLE_EQ(cart.casters[0].tread.rolling_friction_length, 3e-3);
   EXPECT_DOUBLE_EQ(cart.casters[0].tread.static_friction, 0.3);
   EXPECT_DOUBLE_EQ(cart.casters[0].tread.kinetic_friction, 0.3);
+}
+
+TEST(LoadItem, BrakesOfACasterMaySlideWithLessThanTheyHold) {
+  std::ifstream file(find_data(DataKind::kCaster, "R100", ""));
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const auto with = [&](const std::string& ratio) {
+    std::string changed = text;
+    return changed.insert(changed.find("\nname = ") + 1, "brake_sliding_ratio = " + ratio + "\n");
+  };
+  const TempFolder folder;
+  folder.write("slides.toml", with("0.6"));
+  std::string cart = kCart;
+  for (auto at = cart.find("R100"); at != std::string::npos; at = cart.find("R100"))
+    cart.replace(at, 4, "slides.toml");
+  const EquipmentModel item = load_item(folder.write("cart.toml", cart)).model;
+  EXPECT_EQ(item.casters[0].brake_sliding_ratio, 1);  // it is off
+  EXPECT_EQ(item.casters[2].brake_sliding_ratio, 0.6);
+
+  const std::string bad = folder.write("bad.toml", with("1.2"));
+  const std::string error = error_text([&] { load_caster_type(bad); });
+  EXPECT_NE(error.find("brake_sliding_ratio = 1.2: must be"), std::string::npos) << error;
 }
 
 TEST(LoadItem, StacksPayloads) {
