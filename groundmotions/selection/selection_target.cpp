@@ -52,8 +52,8 @@ NamedScenario read_scenario(Table& in) {
   s.vs30 = in.number("vs30_m_per_s", Range::within(150, 1500), s.vs30);
   const std::size_t faulting = in.choice("faulting", kFaulting, 0);
   s.faulting = static_cast<Faulting>(faulting);
-  return {s, fmt::format("Boore et al. (2014), M {:g}, R_JB {:g} km, V_S30 {:g} m/s, faulting {}",
-                         s.magnitude, s.distance, s.vs30, kFaulting[faulting])};
+  return {s, fmt::format("Boore et al. (2014), M {:g}, R_JB {:g} km, V_S30 {:g} m/s{}", s.magnitude,
+                         s.distance, s.vs30, faulting == 0 ? "" : ", " + kFaulting[faulting])};
 }
 
 SelectionTarget read_bssa14(Table& in, const Eigen::VectorXd& periods) {

@@ -25,7 +25,7 @@ TEST(SelectionTarget, OfAScenario) {
   const SelectionTarget t = read(
       "target = 'bssa14'\nmagnitude = 7\ndistance_km = 10\nvs30_m_per_s = 400\nfaulting = "
       "'reverse'\n");
-  EXPECT_EQ(t.name, "Boore et al. (2014), M 7, R_JB 10 km, V_S30 400 m/s, faulting reverse");
+  EXPECT_EQ(t.name, "Boore et al. (2014), M 7, R_JB 10 km, V_S30 400 m/s, reverse");
   EXPECT_FALSE(t.conditioning);
   EXPECT_NEAR(std::exp(t.spectrum.mean[2]), bssa14_sa({7, 10, 400, Faulting::kReverse}, 1).median,
               1e-12);
