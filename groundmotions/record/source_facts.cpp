@@ -3,6 +3,7 @@
 #include <charconv>
 #include <initializer_list>
 #include <optional>
+#include <utility>
 
 namespace gurney::groundmotions {
 namespace {
@@ -41,6 +42,13 @@ std::string stated_text(const std::vector<NamedFacts>& sources,
       for (const auto& [key, text] : facts)
         if (key == name && !text.empty()) return text;
   return {};
+}
+
+/// Cuts off what a GeoNet file states of a record in the lines of its event and its station.
+void cut_record(SourceFacts& facts) {
+  for (const auto& [text, word] :
+       {std::pair(&facts.event, "  Bearing "), std::pair(&facts.station, "  Cusp file:")})
+    if (const auto at = text->find(word); at != std::string::npos) text->resize(at);
 }
 
 /// Cuts the line of a PEER file behind the field with the date. The last field is the component.
@@ -87,6 +95,7 @@ SourceFacts source_facts(const std::vector<NamedFacts>& sources) {
   facts.event = stated_text(
       sources, {"event id", "event", "event time", "event date", "origin time (Japan)"});
   facts.station = stated_text(sources, {"station", "station name", "station code"});
+  cut_record(facts);
   split_event(facts);
   return facts;
 }

@@ -62,6 +62,11 @@ TEST(SourceFacts, NameEventAndStation) {
       source_facts({{{"origin time (Japan)", "2008/06/14 08:43:00"}, {"station", "IWTH25"}}});
   EXPECT_EQ(japan.event, "2008/06/14 08:43:00");
   EXPECT_EQ(japan.station, "IWTH25");
+  const SourceFacts geonet =
+      source_facts({{{"event", "Epicentre 42 41 33S  Bearing S18W  Dist 9km"},
+                     {"station", "Site WTMC  42 37 10S  Cusp file:  2016"}}});
+  EXPECT_EQ(geonet.event, "Epicentre 42 41 33S");
+  EXPECT_EQ(geonet.station, "Site WTMC  42 37 10S");
   EXPECT_EQ(source_facts({{}}).event, "");
   EXPECT_TRUE(std::isnan(source_facts({{}}).lowest_frequency));
 }

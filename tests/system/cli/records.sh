@@ -169,6 +169,13 @@ printf 'poe,stat,period,mea,std\n0.02,mean,0.05,0.4,0.6\n0.02,mean,5,0.05,0.7\n'
 records 0 "OpenQuake openquake.csv" select pool -n 5 --target "openquake file=openquake.csv"
 records 1 "poe 0.1: must be one of 0.02" select pool -n 5 --target "openquake file=openquake.csv poe=0.1"
 
+# Real records, of six earthquakes that PEER names, at most one of each.
+if [ -n "${GURNEY_RECORDS:-}" ]; then
+  records 0 '"event": "Chi-Chi Taiwan, 9/20/1999"' select "$GURNEY_RECORDS/peer_nga_at2" --target "bssa14 $scenario" \
+    -n 6 --per-event 1 --factors 0.05:20 --json
+  [ "$(grep '"event"' stdout | sort -u | wc -l)" -eq 6 ] || complain "two records of one earthquake"
+fi
+
 # A flatfile: three records, of which one is not usable to 5 s; the files come later.
 { printf 'Record Sequence Number,Earthquake Name,Station Name,File Name (Horizontal 1),File Name (Horizontal 2),'
   printf 'File Name (Vertical),Lowest Usable Freq - Ave. Component (Hz),T0.010S,T1.000S,T10.000S\n'
