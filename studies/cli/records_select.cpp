@@ -291,8 +291,8 @@ void add_records_select(Commands& commands) {
       {"select", "Select records whose spectra match a target's mean and variance",
        "gurney records select PEER_download --target \"conditional magnitude=7 distance_km=10 \\\n"
        "  vs30_m_per_s=400 period_s=1 epsilon=1.5\" --records 20 --per-event 3 -o suite.csv\n"
-       "gurney records select FLATFILE.csv --target \"openquake file=cs.csv poe=0.02 "
-       "period_s=1\" -o suite.csv"},
+       "gurney records select FLATFILE.csv \\\n"
+       "  --target \"openquake file=cs.csv poe=0.02 period_s=1\" -o suite.csv"},
       select, [](Options& add, SelectOptions& options) {
         add_source_options(add, options.source);
         add.required("--target", options.target,
