@@ -25,9 +25,15 @@ struct Periods {
   std::optional<Index> conditioning;
 };
 
-Periods with_period(const Eigen::VectorXd& periods, double period) {
-  const Index at = std::ranges::lower_bound(periods, period) - periods.begin();
-  if (at < periods.size() && periods[at] == period) return {periods, at};
+/// Replaces a period that is T* but for rounding: two that are fully correlated have no partial
+/// correlation.
+Periods with_period(Eigen::VectorXd periods, double period) {
+  constexpr double kSame = 1e-6;
+  const Index at = std::ranges::lower_bound(periods, period * (1 - kSame)) - periods.begin();
+  if (at < periods.size() && periods[at] <= period * (1 + kSame)) {
+    periods[at] = period;
+    return {periods, at};
+  }
   Eigen::VectorXd all(periods.size() + 1);
   all << periods.head(at), period, periods.tail(periods.size() - at);
   return {all, at};

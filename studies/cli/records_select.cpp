@@ -253,7 +253,8 @@ int select(const SelectOptions& given) {
   std::tie(options.selection.smallest_factor, options.selection.largest_factor) =
       span_of("--factors", options.factors);
   options.selection.scaled = !options.unscaled;
-  const Eigen::VectorXd periods = groundmotions::logarithmic_periods(low, high, kPeriods);
+  Eigen::VectorXd periods = groundmotions::logarithmic_periods(low, high, kPeriods);
+  periods[0] = low, periods[kPeriods - 1] = high;  // without rounding: ends of tables
   const SelectionTarget target = read_table_option(
       "--target", options.target, "spectrum", "target",
       [&](config::Table& in) { return groundmotions::read_selection_target(in, periods); });

@@ -39,6 +39,7 @@ TEST(SelectionTarget, OfAConditionalSpectrum) {
   EXPECT_EQ(by_epsilon.spectrum.periods[2], 0.5);
   EXPECT_EQ(by_epsilon.spectrum.periods.size(), 5);
   EXPECT_NEAR(by_epsilon.spectrum.mean[2], std::log(p.median) + p.sigma(), 1e-12);
+  EXPECT_EQ(read(scenario + "period_s = 0.3000000001\nepsilon = 1\n").spectrum.periods.size(), 4);
   const SelectionTarget by_sa = read(scenario + "period_s = 1\nsa_g = 0.6\n");
   EXPECT_EQ(by_sa.spectrum.periods.size(), 4);  // 1 s is among them
   EXPECT_NEAR(by_sa.spectrum.mean[2], std::log(0.6 * kStandardGravity), 1e-12);

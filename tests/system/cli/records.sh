@@ -169,6 +169,8 @@ printf 'poe,stat,period,mea,std\n0.02,mean,0.05,0.4,0.6\n0.02,mean,5,0.05,0.7\n'
 records 0 "OpenQuake openquake.csv" select pool -n 5 --target "openquake file=openquake.csv"
 records 1 "poe 0.1: must be one of 0.02" select pool -n 5 --target "openquake file=openquake.csv poe=0.1"
 
+records 0 "Sa(5 s) = 0.1 g" select pool --target "conditional $scenario period_s=5 sa_g=0.1" -n 2 --factors 0.001:1000
+
 # Real records, of six earthquakes that PEER names, at most one of each.
 if [ -n "${GURNEY_RECORDS:-}" ]; then
   records 0 '"event": "Chi-Chi Taiwan, 9/20/1999"' select "$GURNEY_RECORDS/peer_nga_at2" --target "bssa14 $scenario" \
