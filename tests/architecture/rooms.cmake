@@ -29,8 +29,8 @@ set(GURNEY_ROOMS
     groundmotions/synthetic"
   "groundmotions/suites: engine/base engine/config groundmotions/record groundmotions/formats
     groundmotions/assembly"
-  "groundmotions/selection: engine/base engine/config groundmotions/record groundmotions/formats
-    groundmotions/assembly groundmotions/models groundmotions/scaling groundmotions/suites"
+  "groundmotions/selection: engine/base engine/config groundmotions/formats groundmotions/models
+    groundmotions/scaling groundmotions/suites"
   "groundmotions/buildings: engine/base engine/config groundmotions/record groundmotions/measures"
   "groundmotions/tools: groundmotions/synthetic"
   "equipment/catalogue: engine/base engine/config engine/scene"
@@ -78,8 +78,8 @@ set(GURNEY_ROOMS
     studies/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render studies/explanation"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
-    groundmotions/measures groundmotions/models groundmotions/scaling groundmotions/selection
-    equipment/catalogue studies/statistics studies/verification studies/units studies/results studies/analysis
+    groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
+    studies/statistics studies/verification studies/units studies/results studies/analysis
     studies/convergence studies/calibration/trials studies/calibration/fit studies/explanation
     studies/report"
   "studies/picture: engine/base"
