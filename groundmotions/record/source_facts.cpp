@@ -1,7 +1,9 @@
 #include "groundmotions/record/source_facts.h"
 
 #include <charconv>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 
 namespace gurney::groundmotions {
 namespace {
@@ -32,6 +34,35 @@ std::optional<double> stated(const std::vector<NamedFacts>& sources, const char*
   return {};
 }
 
+/// The first of the names that a source states, of the first source that states one.
+std::string stated_text(const std::vector<NamedFacts>& sources,
+                        std::initializer_list<const char*> names) {
+  for (const NamedFacts& facts : sources)
+    for (const char* name : names)
+      for (const auto& [key, text] : facts)
+        if (key == name && !text.empty()) return text;
+  return {};
+}
+
+/// Cuts off what a GeoNet file states of a record in the lines of its event and its station.
+void cut_record(SourceFacts& facts) {
+  for (const auto& [text, word] :
+       {std::pair(&facts.event, "  Bearing "), std::pair(&facts.station, "  Cusp file:")})
+    if (const auto at = text->find(word); at != std::string::npos) text->resize(at);
+}
+
+/// Cuts the line of a PEER file behind the field with the date. The last field is the component.
+void split_event(SourceFacts& facts) {
+  const std::string line = facts.event;
+  const auto slash = line.find('/');
+  if (slash == std::string::npos || line.find('/', slash + 1) == std::string::npos) return;
+  const auto date_end = line.find(',', slash), last = line.rfind(',');
+  if (date_end == std::string::npos) return;
+  facts.event = line.substr(0, date_end);
+  const auto start = line.find_first_not_of(" ,", date_end);
+  if (facts.station.empty() && start < last) facts.station = line.substr(start, last - start);
+}
+
 }  // namespace
 
 SourceFacts source_facts(const std::vector<NamedFacts>& sources) {
@@ -58,6 +89,14 @@ SourceFacts source_facts(const std::vector<NamedFacts>& sources) {
       facts.vs30 = *value;
       break;
     }
+  constexpr double kHighest = 1000;
+  if (const auto value = stated(sources, "lowest usable frequency [Hz]", 0, kHighest))
+    facts.lowest_frequency = *value;
+  facts.event = stated_text(
+      sources, {"event id", "event", "event time", "event date", "origin time (Japan)"});
+  facts.station = stated_text(sources, {"station", "station name", "station code"});
+  cut_record(facts);
+  split_event(facts);
   return facts;
 }
 

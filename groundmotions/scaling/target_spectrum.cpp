@@ -192,11 +192,13 @@ TargetSpectrum ac156_spectrum(double sds, double height_ratio, bool vertical) {
           0, 10, [=](double t) { return t == 0 ? required.rigid : required.at(1 / t); }};
 }
 
-std::optional<TargetSpectrum> read_target(Table& in) {
+std::optional<TargetSpectrum> read_target(Table& in, const std::vector<std::string>& others) {
   constexpr TargetSpectrum (*kReaders[])(Table&) = {read_asce7, read_eurocode8, read_nzs1170,
                                                     read_ac156, read_table};
   const std::size_t errors = in.document().errors();
-  const std::size_t kind = in.choice("target", {"asce7", "eurocode8", "nzs1170", "ac156", "table"});
+  std::vector<std::string> known = {"asce7", "eurocode8", "nzs1170", "ac156", "table"};
+  known.insert(known.end(), others.begin(), others.end());
+  const std::size_t kind = in.choice("target", known);
   if (in.document().errors() > errors) {
     for (const std::string& key : in.keys()) in.has(key);  // of which target is not known
     return {};

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/config/table.h"
 #include "groundmotions/formats/source_file.h"
@@ -16,6 +17,7 @@ struct TargetSpectrum {
   double longest_period = 0;                   ///< may be infinite [s]
   std::function<double(double)> acceleration;  ///< Sa(T) [m/s2]
   double damping = 0.05;                       ///< share of critical, in (0, 1)
+  std::function<double(double)> sigma = {};    ///< of ln Sa(T), >= 0; none: not stated
 
   /// @throws Error for a period outside of shortest_period..longest_period.
   double at(double period) const;
@@ -62,16 +64,27 @@ TargetSpectrum nzs1170_spectrum(const Nzs1170& parameters);
 /// @throws Error unless S_DS > 0 and 0 <= z/h <= 1.
 TargetSpectrum ac156_spectrum(double short_period_acceleration, double height_ratio, bool vertical);
 
-/// A table with the columns `period_s, sa_g` or `period_s, sa_m_per_s2`: `#` comments, a header
-/// row, then rows with growing periods. Straight in logarithms between the rows (straight where a
-/// row is at 0 s); undefined outside.
+/// A table with the columns `period_s, sa_g` or `period_s, sa_m_per_s2`, and `sigma_ln` after them
+/// where the standard deviation of ln Sa is known: `#` comments, a header row, then rows with
+/// growing periods. Between the rows Sa is straight in logarithms (straight where a row is at 0 s),
+/// sigma straight in ln T; undefined outside.
 /// @throws Error for anything else, one line for each error.
 TargetSpectrum table_spectrum(const SourceFile& file);
+
+/// A conditional spectrum of OpenQuake (calculation_mode = conditional_spectrum), a CSV with the
+/// columns `poe, stat, period, mea, std`: probability of exceedance, "mean" or a quantile, period
+/// [s], median Sa [g], standard deviation of ln Sa. Rows of `stat` mean and of the probability make
+/// a table as above.
+/// @param poe  none: that of the file, if it has one only
+/// @throws Error for anything else, and for a probability that the file does not have.
+TargetSpectrum openquake_spectrum(const SourceFile& file, std::optional<double> poe = {});
 
 /// Reads `target` and its parameters: "asce7" (sds_g, sd1_g, tl_s), "eurocode8" (type, ground,
 /// ag_g, damping_ratio, vertical), "nzs1170" (site_class, hazard_factor, return_factor,
 /// fault_distance_km), "ac156" (sds_g, height_ratio, vertical) or "table" (file). Errors are
 /// noted in the table's document; the result is empty then.
-std::optional<TargetSpectrum> read_target(config::Table& table);
+/// @param others  further targets that the caller knows, named in errors
+std::optional<TargetSpectrum> read_target(config::Table& table,
+                                          const std::vector<std::string>& others = {});
 
 }  // namespace gurney::groundmotions

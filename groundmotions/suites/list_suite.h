@@ -1,5 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "groundmotions/suites/suite.h"
 
 namespace gurney::groundmotions {
@@ -14,6 +18,13 @@ bool recognises_list_suite(const SourceFile& file);
 /// @throws Error with every unknown or doubled column, wrong number of cells, doubled name, missing
 ///         file, and number outside its range.
 Suite read_list_suite(const SourceFile& file, const ReadOptions& options = {});
+
+/// The text of a list that read_list_suite() reads as these records, with the scale of each. Of
+/// records with one name the later ones are numbered: `name (2)`.
+/// @param folder   of the list, to which paths are relative
+/// @param comment  first line, without `#`
+std::string list_suite_text(const std::vector<SuiteRecord>& records,
+                            const std::filesystem::path& folder, const std::string& comment);
 
 /// Whether a file is a search report of the PEER ground motion database (_SearchResults.csv).
 bool recognises_peer_search_results(const SourceFile& file);

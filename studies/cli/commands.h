@@ -147,5 +147,6 @@ AddCommand add_records_make;     ///< synthetic motions
 AddCommand add_records_model;    ///< a published ground-motion model
 AddCommand add_records_plot;     ///< histories and spectra
 AddCommand add_records_scale;    ///< factors to a measure or a target spectrum
+AddCommand add_records_select;   ///< records whose spectra match a target's mean and variance
 
 }  // namespace gurney::cli

@@ -175,11 +175,11 @@ int make(const MakeOptions& options) {
 
 void add_records(Commands& commands) {
   Commands records =
-      commands.below({"records", "Inspect, convert, generate and scale ground motions",
+      commands.below({"records", "Inspect, convert, generate, select and scale ground motions",
                       "gurney records ls groundmotions/records"});
   for (AddCommand* const add :
        {add_records_info, add_records_plot, add_records_convert, add_records_scale,
-        add_records_make, add_records_floor, add_records_model})
+        add_records_select, add_records_make, add_records_floor, add_records_model})
     add(records);
 }
 

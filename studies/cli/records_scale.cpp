@@ -1,23 +1,21 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <vector>
 
 #include "engine/base/error.h"
-#include "engine/base/number_text.h"
-#include "engine/config/document.h"
 #include "groundmotions/measures/combination.h"
 #include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/scaling/suite_scaling.h"
 #include "groundmotions/scaling/target_spectrum.h"
+#include "groundmotions/suites/list_suite.h"
 #include "studies/cli/commands.h"
-#include "studies/cli/inline_table.h"
 #include "studies/cli/output.h"
 #include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/shared_options.h"
+#include "studies/cli/suite_options.h"
 #include "studies/figures/record_figures.h"
 #include "studies/results/output_files.h"
 
@@ -37,28 +35,9 @@ struct ScaleOptions {
   bool common = false, overwrite = false, json = false;
 };
 
-/// Two numbers apart by a colon, 0 < low < high.
-std::pair<double, double> span_of(const char* option, const std::string& text) {
-  const auto colon = std::min(text.find(':'), text.size());
-  const double low = number(text.substr(0, colon)).value_or(0);
-  const double high = number(text.substr(std::min(colon + 1, text.size()))).value_or(0);
-  require(0 < low && low < high,
-          fmt::format("{} {}: must be LOW:HIGH with 0 < LOW < HIGH", option, text));
-  return {low, high};
-}
-
 groundmotions::TargetSpectrum target_of(const std::string& text) {
-  try {
-    config::Document document("spectrum = " + inline_table("target", words_of(text)) + "\n",
-                              "--target");
-    config::Table root = document.root();
-    auto table = root.table("spectrum");
-    auto target = table ? groundmotions::read_target(*table) : std::nullopt;
-    document.finish();
-    return *target;
-  } catch (const Error& error) {
-    throw Error(option_error("--target", text, "spectrum", error.what()));
-  }
+  return read_table_option("--target", text, "spectrum", "target",
+                           [](config::Table& table) { return groundmotions::read_target(table); });
 }
 
 struct ScaledSuite {
@@ -66,57 +45,15 @@ struct ScaledSuite {
   std::vector<groundmotions::Record> motions;  ///< that have a spectrum of the component
 };
 
-/// A cell in quotes, a quote in it doubled (RFC 4180).
-std::string csv_cell(const std::string& text) {
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
-  return cell + "\"";
-}
-
-/// The channels of a record whose files are channels of one.
-std::string channels_text(const std::vector<groundmotions::RecordFile>& files) {
-  std::string text;
-  for (const groundmotions::RecordFile& file : files)
-    if (file.channel) text += fmt::format("{}{}", text.empty() ? "" : ";", *file.channel);
-  return text;
-}
-
-/// The cells file, h1, h2, vertical and channels of a list.
-std::string files_text(const std::vector<groundmotions::RecordFile>& files,
-                       const fs::path& folder) {
-  std::array<std::string, 5> cells;
-  cells[4] = channels_text(files);
-  for (const groundmotions::RecordFile& file : files) {
-    if (file.channel && &file != &files[0]) continue;
-    std::string& cell = cells[file.direction ? 1 + static_cast<std::size_t>(*file.direction) : 0];
-    cell += (cell.empty() ? "" : ";") + fs::proximate(file.path, folder).string();
-  }
-  for (std::string& cell : cells)
-    if (!cell.empty()) cell = csv_cell(cell);
-  return fmt::format("{}", fmt::join(cells, ","));
-}
-
 /// A list that `gurney records` reads again, with the factors in it.
 std::string list_text(const ScaledSuite& suite, const groundmotions::SuiteScaling& scaling,
-                      const groundmotions::TargetSpectrum& target, const fs::path& folder) {
-  std::string text =
-      fmt::format("# scaled to {}, {:g} % damping\n", target.name, 100 * target.damping);
-  text += "name,file,h1,h2,vertical,channels,unit,time_step_s,columns,count_m_per_s2,scale\n";
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < suite.records.size(); ++i) {
-    const groundmotions::SuiteRecord& record = suite.records[i];
-    std::string name = record.name;
-    for (int n = 2; !names.insert(name).second; ++n) name = fmt::format("{} ({})", record.name, n);
-    const groundmotions::ReadOptions& read = record.options;
-    const auto shown = [](const std::optional<double>& value) {
-      return value ? fmt::format("{:g}", *value) : std::string();
-    };
-    text += fmt::format("{},{},{},{},\"{}\",{},{:.6g}\n", csv_cell(name),
-                        files_text(record.files, folder), read.unit, shown(read.time_step),
-                        read.columns, shown(read.si_per_count),
-                        record.scale * scaling.factors[static_cast<Eigen::Index>(i)]);
-  }
-  return text;
+                      const groundmotions::TargetSpectrum& target, const std::string& path) {
+  std::vector<groundmotions::SuiteRecord> records = suite.records;
+  for (std::size_t i = 0; i < records.size(); ++i)
+    records[i].scale *= scaling.factors[static_cast<Eigen::Index>(i)];
+  return groundmotions::list_suite_text(
+      records, fs::absolute(path).parent_path(),
+      fmt::format("scaled to {}, {:g} % damping", target.name, 100 * target.damping));
 }
 
 void print(const ScaleOptions& options, const ScaledSuite& suite,
@@ -214,8 +151,7 @@ int scale(const ScaleOptions& options) {
   if (!options.output.empty()) files.check(options.output);
   const SignalsHeld until_written;
   if (!options.output.empty())
-    files.stage(options.output,
-                list_text(suite, scaling, target, fs::absolute(options.output).parent_path()));
+    files.stage(options.output, list_text(suite, scaling, target, options.output));
   if (!options.figure.empty())
     files.stage(options.figure.path, options.figure.bytes(figures::suite_figure(
                                          target, periods, spectra_at(periods), scaling)));

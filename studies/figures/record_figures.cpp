@@ -135,4 +135,43 @@ std::string suite_figure(const groundmotions::TargetSpectrum& target,
       .svg({.width = 900});
 }
 
+std::string selection_figure(const groundmotions::SelectionTarget& target,
+                             const groundmotions::Selection& selection) {
+  const groundmotions::SpectrumDistribution& spectrum = target.spectrum;
+  const Eigen::Index count = selection.ln_spectra.rows();
+  Panel spectra{.title = fmt::format("Spectra, {:g} % damping", 100 * target.damping),
+                .x_label = "Period (s)",
+                .y_label = "Sa (g)",
+                .log_x = true,
+                .legend_columns = 4,
+                .log_y = true};
+  const auto add = [&](Panel& panel, const char* label, const Eigen::VectorXd& values,
+                       const Pen& pen, double unit) {
+    panel.curves.push_back(curve_of(label, spectrum.periods, values, pen, unit));
+  };
+  const auto fractile = [&](const char* label, double probability, const Pen& pen) {
+    add(spectra, label, spectrum.quantile(probability), pen, kStandardGravity);
+  };
+  for (Eigen::Index i = 0; i < count; ++i)
+    add(spectra, i == 0 ? "selected" : "", selection.ln_spectra.row(i).array().exp().transpose(),
+        {.stroke = "#999999", .width = 0.8}, kStandardGravity);
+  add(spectra, "their median", (spectrum.mean + selection.errors.mean).array().exp(), pen(0, 2),
+      kStandardGravity);
+  fractile("target", 0.5, pen(1, 2, "6 3"));
+  fractile("2.5, 97.5 %", 0.025, pen(1, 1.2, "2 3"));
+  fractile("", 0.975, pen(1, 1.2, "2 3"));
+  Panel sigma{.title = "Standard deviation of ln Sa",
+              .x_label = "Period (s)",
+              .y_label = "Sigma",
+              .log_x = true,
+              .legend_columns = 2};
+  add(sigma, "selected", spectrum.sigma() + selection.errors.sigma, pen(0, 2), 1);
+  add(sigma, "target", spectrum.sigma(), pen(1, 2, "6 3"), 1);
+  return Chart{
+      fmt::format("{} records selected to {}", count, target.name),
+      "",
+      {{.panel = std::move(spectra), .height = 320}, {.panel = std::move(sigma), .height = 180}}}
+      .svg({.width = 900});
+}
+
 }  // namespace gurney::figures

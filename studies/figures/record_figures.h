@@ -5,6 +5,7 @@
 #include "groundmotions/record/record.h"
 #include "groundmotions/scaling/suite_scaling.h"
 #include "groundmotions/scaling/target_spectrum.h"
+#include "groundmotions/selection/selection.h"
 
 namespace gurney::figures {
 
@@ -17,5 +18,10 @@ std::string record_figure(const groundmotions::Record& record);
 std::string suite_figure(const groundmotions::TargetSpectrum& target,
                          const Eigen::VectorXd& periods, const Eigen::MatrixXd& spectra,
                          const groundmotions::SuiteScaling& scaling);
+
+/// The spectra of selected records and the target: median, 2.5 and 97.5 % fractiles; below them the
+/// standard deviations of ln Sa.
+std::string selection_figure(const groundmotions::SelectionTarget& target,
+                             const groundmotions::Selection& selection);
 
 }  // namespace gurney::figures

@@ -29,6 +29,8 @@ set(GURNEY_ROOMS
     groundmotions/synthetic"
   "groundmotions/suites: engine/base engine/config groundmotions/record groundmotions/formats
     groundmotions/assembly"
+  "groundmotions/selection: engine/base engine/config groundmotions/formats groundmotions/models
+    groundmotions/scaling groundmotions/suites"
   "groundmotions/buildings: engine/base engine/config groundmotions/record groundmotions/measures"
   "groundmotions/tools: groundmotions/synthetic"
   "equipment/catalogue: engine/base engine/config engine/scene"
@@ -76,8 +78,8 @@ set(GURNEY_ROOMS
     studies/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render studies/explanation"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
-    groundmotions/measures groundmotions/scaling equipment/catalogue studies/statistics
-    studies/verification studies/units studies/results studies/analysis
+    groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
+    studies/statistics studies/verification studies/units studies/results studies/analysis
     studies/convergence studies/calibration/trials studies/calibration/fit studies/explanation
     studies/report"
   "studies/picture: engine/base"
@@ -97,8 +99,8 @@ set(GURNEY_ROOMS
     studies/explanation studies/report studies/playback"
   "studies/cli: engine/base engine/config engine/response engine/run groundmotions/record
     groundmotions/formats groundmotions/measures groundmotions/models groundmotions/processing
-    groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/buildings
-    equipment/catalogue studies/build_info studies/verification studies/job studies/units
+    groundmotions/synthetic groundmotions/scaling groundmotions/suites groundmotions/selection
+    groundmotions/buildings equipment/catalogue studies/build_info studies/verification studies/job studies/units
     studies/results
     studies/prepare studies/limit_states studies/plan studies/run
     studies/analysis studies/exports studies/calibration/fit

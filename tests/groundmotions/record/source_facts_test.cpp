@@ -42,5 +42,34 @@ TEST(SourceFacts, PlaceholdersAreNone) {
   EXPECT_EQ(facts.distance_kind, "");
 }
 
+TEST(SourceFacts, NameEventAndStation) {
+  const SourceFacts report = source_facts({{{"event", "Northridge-01"},
+                                            {"station", "Rinaldi Receiving Sta"},
+                                            {"lowest usable frequency [Hz]", "0.1125"}},
+                                           {{"event", "of the file"}}});
+  EXPECT_EQ(report.event, "Northridge-01");
+  EXPECT_EQ(report.station, "Rinaldi Receiving Sta");
+  EXPECT_DOUBLE_EQ(report.lowest_frequency, 0.1125);
+  const SourceFacts peer =
+      source_facts({{{"event", "Northridge-01, 1/17/1994, Newhall, Fire Sta, 360"}}});
+  EXPECT_EQ(peer.event, "Northridge-01, 1/17/1994");
+  EXPECT_EQ(peer.station, "Newhall, Fire Sta");
+  const SourceFacts older =
+      source_facts({{{"event", "IMPERIAL VALLEY 5/19/40 0439, EL CENTRO ARRAY #9, 180"}}});
+  EXPECT_EQ(older.event, "IMPERIAL VALLEY 5/19/40 0439");
+  EXPECT_EQ(older.station, "EL CENTRO ARRAY #9");
+  const SourceFacts japan =
+      source_facts({{{"origin time (Japan)", "2008/06/14 08:43:00"}, {"station", "IWTH25"}}});
+  EXPECT_EQ(japan.event, "2008/06/14 08:43:00");
+  EXPECT_EQ(japan.station, "IWTH25");
+  const SourceFacts geonet =
+      source_facts({{{"event", "Epicentre 42 41 33S  Bearing S18W  Dist 9km"},
+                     {"station", "Site WTMC  42 37 10S  Cusp file:  2016"}}});
+  EXPECT_EQ(geonet.event, "Epicentre 42 41 33S");
+  EXPECT_EQ(geonet.station, "Site WTMC  42 37 10S");
+  EXPECT_EQ(source_facts({{}}).event, "");
+  EXPECT_TRUE(std::isnan(source_facts({{}}).lowest_frequency));
+}
+
 }  // namespace
 }  // namespace gurney::groundmotions

@@ -143,11 +143,46 @@ TEST(TableSpectrum, ReportsAllErrors) {
                "t.csv:1:1: header 'period_s, sa': must be 'period_s, sa_g' or");
   const SourceFile bad("t.csv", "period_s, sa_g\n0.2, 1\n0.1, 1\n0.3, x\n0.4, 0\n0.5\n");
   EXPECT_ERROR(table_spectrum(bad), "t.csv:3:1: period 0.1 s: must be >= 0 and grow");
-  EXPECT_ERROR(table_spectrum(bad), "t.csv:4:1: '0.3, x': must be two numbers apart by a comma");
+  EXPECT_ERROR(table_spectrum(bad), "t.csv:4:6: sa_g 'x': must be a number");
   EXPECT_ERROR(table_spectrum(bad), "t.csv:5:1: spectral acceleration 0: must be > 0");
-  EXPECT_ERROR(table_spectrum(bad), "t.csv:6:1: '0.5': must be two numbers");
+  EXPECT_ERROR(table_spectrum(bad), "t.csv:6:1: 1 cells, the header has 2 columns");
   EXPECT_ERROR(table_spectrum(SourceFile("t.csv", "period_s, sa_g\n0.2, 1\n")),
                "needs a header 'period_s, sa_g' and at least two rows");
+}
+
+TEST(TableSpectrum, MayHaveSigma) {
+  const SourceFile file("t.csv", "period_s, sa_g, sigma_ln\n0.1, 1, 0.4\n1.6, 0.25, 0.8\n");
+  const TargetSpectrum s = table_spectrum(file);
+  EXPECT_NEAR(s.at(0.4), 0.5 * kG, 1e-12);
+  EXPECT_NEAR(s.sigma(0.4), 0.6, 1e-12);  // half way in ln T
+  EXPECT_NEAR(s.sigma(1.6), 0.8, 1e-12);
+  EXPECT_FALSE(table_spectrum(SourceFile("t.csv", "period_s, sa_g\n0.1, 1\n1, 1\n")).sigma);
+  EXPECT_ERROR(table_spectrum(SourceFile("t.csv", "period_s, sa_g, sigma\n0.1, 1, 1\n")),
+               "t.csv:1:1: header 'period_s, sa_g, sigma': must be");
+  const SourceFile bad("t.csv", "period_s, sa_g, sigma_ln\n0.1, 1, -1\n0.2, 1, 1\n");
+  EXPECT_ERROR(table_spectrum(bad), "t.csv:2:1: sigma -1: must be >= 0");
+}
+
+TEST(OpenQuakeSpectrum, IsThatOfOneProbability) {
+  const std::string text =
+      "#,,,,\"generated_by='OpenQuake engine 3.17.0'\"\npoe,stat,period,mea,std\n"
+      "1.00000E-01,mean,1.00000E-01,4.00000E-01,3.00000E-01\n"
+      "1.00000E-01,mean,1.00000E+00,1.00000E-01,0.00000E+00\n"
+      "2.00000E-02,mean,1.00000E-01,8.00000E-01,3.00000E-01\n"
+      "2.00000E-02,quantile-0.5,1.00000E-01,7.00000E-01,3.00000E-01\n"
+      "2.00000E-02,mean,1.00000E+00,2.00000E-01,1.00000E-01\n";
+  const SourceFile file("cs.csv", text);
+  const TargetSpectrum s = openquake_spectrum(file, 0.02);
+  EXPECT_NEAR(s.at(0.1), 0.8 * kG, 1e-12);
+  EXPECT_NEAR(s.at(std::sqrt(0.1)), 0.4 * kG, 1e-12);
+  EXPECT_NEAR(s.sigma(std::sqrt(0.1)), 0.2, 1e-12);
+  EXPECT_EQ(s.name, "OpenQuake cs.csv, poe 0.02");
+  EXPECT_ERROR(openquake_spectrum(file), "cs.csv: poe is not stated: must be one of 0.02, 0.1");
+  EXPECT_ERROR(openquake_spectrum(file, 0.5), "cs.csv: poe 0.5: must be one of 0.02, 0.1");
+  const SourceFile one("cs.csv", text.substr(0, text.find("2.00000E-02")));
+  EXPECT_NEAR(openquake_spectrum(one).at(1), 0.1 * kG, 1e-12);
+  EXPECT_ERROR(openquake_spectrum(SourceFile("cs.csv", "period_s, sa_g\n0.1, 1\n")),
+               "cs.csv:1:1: header: must be 'poe,stat,period,mea,std'");
 }
 
 }  // namespace

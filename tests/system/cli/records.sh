@@ -128,5 +128,66 @@ records 0 " 0.108 " scale sine.csv --target "eurocode8 ground=B ag_g=0.3 damping
 grep -q "h1 spectra of 2 % damping" stdout || complain "scale does not state the damping"
 records 1 "must be LOW:HIGH" scale "$record" --target "asce7 sds_g=1 sd1_g=0.6" --periods 2
 
+# Selection: 12 of 30 motions, the same again, and other ones of another seed.
+mkdir pool
+for seed in $(seq 30); do
+  "$gurney" records make stochastic seed="$seed" frequency_hz=$((seed % 5 + 1)) -o "pool/$seed.csv" > stdout 2> stderr ||
+    complain "no motion $seed"
+done
+scenario="magnitude=7 distance_km=10 vs30_m_per_s=400"
+given="conditional $scenario period_s=1 sa_g=0.6"
+records 0 "12 records of 30 selected" select pool --target "$given" -n 12 --factors 0.05:20 -o chosen.csv --figure chosen.svg
+grep -q "target Sa(1 s) = 0.6 g, epsilon" stdout || complain "the target is not stated"
+grep -q "97.5 %" chosen.svg || complain "no fractiles in the figure"
+records 0 "12 records" ls chosen.csv
+# Sa(1), RotD50, of each is the given one.
+[ "$(grep -c ' 0\.6  ' stdout)" -eq 12 ] || complain "a selected record does not have Sa(1 s) = 0.6 g"
+cp chosen.csv again.csv
+records 0 "12 records of 30" select pool --target "$given" -n 12 --factors 0.05:20 -o again.csv --overwrite
+cmp -s chosen.csv again.csv || complain "the same selection is another one"
+records 0 "12 records of 30" select pool --target "$given" -n 12 --factors 0.05:20 --seed 2 -o again.csv --overwrite
+cmp -s chosen.csv again.csv && complain "another seed gives the same list"
+records 1 "exists already" select pool --target "$given" -n 12 --factors 0.05:20 -o again.csv
+records 0 '"excluded_by_factor": 0' select pool --target "$given" -n 12 --factors 0.05:20 --json
+records 0 "--per-event: 30 of 30 records do not state theirs" select pool --target "bssa14 $scenario" -n 5 --per-event 1
+records 0 "geomean spectra of 5 % damping" select pool --target "bssa14 $scenario" -n 5 --component geomean --unscaled
+records 1 "30 of 30 records are there: 40 are to be selected" select pool --target "bssa14 $scenario" -n 40
+records 1 "of 30 records have a factor from 0.99 to 1.01" select pool --target "$given" -n 12 --factors 0.99:1.01
+records 1 '--target "conditional magnitude=9 distance_km=10 period_s=1 epsilon=1": magnitude = 9: must be' \
+  select pool --target "conditional magnitude=9 distance_km=10 period_s=1 epsilon=1"
+records 1 "needs epsilon or sa_g, one of the two" select pool --target "conditional $scenario period_s=1"
+records 1 "did you mean 'conditional'?" select pool --target "conditonal $scenario"
+records 1 "must be LOW:HIGH" select pool --target "bssa14 $scenario" --factors 2
+records 1 "convert the records with the steps first" select pool --target "bssa14 $scenario" -o x.csv \
+  --step "high_pass corner_hz=0.1"
+printf 'period_s, sa_g, sigma_ln\n0.05, 0.4, 0.6\n1, 0.6, x\n5, 0.05, 0.7\n' > median.csv
+records 1 "median.csv:3:9: sigma_ln 'x': must be a number" select pool --target "table file=median.csv"
+sed -i 's/x/0.0/' median.csv
+records 0 "table median.csv, conditional on Sa(1 s)" select pool -n 12 --factors 0.05:20 \
+  --target "table file=median.csv period_s=1"
+printf 'poe,stat,period,mea,std\n0.02,mean,0.05,0.4,0.6\n0.02,mean,5,0.05,0.7\n' > openquake.csv
+records 0 "OpenQuake openquake.csv" select pool -n 5 --target "openquake file=openquake.csv"
+records 1 "poe 0.1: must be one of 0.02" select pool -n 5 --target "openquake file=openquake.csv poe=0.1"
+
+records 0 "Sa(5 s) = 0.1 g" select pool --target "conditional $scenario period_s=5 sa_g=0.1" -n 2 --factors 0.001:1000
+
+# Real records, of six earthquakes that PEER names, at most one of each.
+if [ -n "${GURNEY_RECORDS:-}" ]; then
+  records 0 '"event": "Chi-Chi Taiwan, 9/20/1999"' select "$GURNEY_RECORDS/peer_nga_at2" --target "bssa14 $scenario" \
+    -n 6 --per-event 1 --factors 0.05:20 --json
+  [ "$(grep '"event"' stdout | sort -u | wc -l)" -eq 6 ] || complain "two records of one earthquake"
+fi
+
+# A flatfile: three records, of which one is not usable to 5 s; the files come later.
+{ printf 'Record Sequence Number,Earthquake Name,Station Name,File Name (Horizontal 1),File Name (Horizontal 2),'
+  printf 'File Name (Vertical),Lowest Usable Freq - Ave. Component (Hz),T0.010S,T1.000S,T10.000S\n'
+  for n in 1 2 3; do
+    printf '%s,Event %s,Station,Q\\A.AT2,Q\\B.AT2,Q\\C.AT2,0.%s,0.4,0.5,0.0%s\n' $n $n $n $n
+  done; } > flatfile.csv
+records 0 "2 records of 2 selected" select flatfile.csv --target "bssa14 $scenario" -n 2 -o flat.csv --periods 0.05:5
+grep -q "1 records are excluded: not usable up to the longest period" stderr || complain "record 3 is not excluded"
+grep -q "the files of 2 selected records are not in the folder" stderr || complain "no note of absent files"
+grep -q '^"RSN1","RSN1_Q_A.AT2;RSN1_Q_B.AT2;RSN1_Q_C.AT2"' flat.csv || complain "the list does not name the files"
+
 [ "$failures" -eq 0 ] && echo "all commands did as they should"
 exit $((failures > 0))
