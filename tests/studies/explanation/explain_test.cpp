@@ -203,6 +203,7 @@ TEST(Explain, ChoosesTheItemToWhichTheWorstHappened) {
 // A bag of 10 kg hangs in the middle of a block that slides: it swings by far more than the block moves.
 TEST(Explain, TakesPartsAsOnesOfTheirItem) {
   study::RunFacts facts = shaken_block(6);
+  facts.scene.items[0].name = "block";
   PlacedItem bag = facts.scene.items[0];
   bag.name = "block/bag";
   bag.model.chassis_mass = 10;
