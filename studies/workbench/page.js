@@ -44,14 +44,14 @@ history_step_s = 0.02
 const kShippedRecord = 'file = "../../groundmotions/records/synthetic_3c.csv"';
 const kRuns = 100;
 /// Controls of keys of a job, as messages name them.
-const kFields = { yaw_deg: 'yaw', brakes: 'brakes', headings_deg: 'headings', 'room.file': 'room', 'floor.covering': 'covering', 'excitation.record': 'motion', 'excitation.record.scale': 'scale', 'excitation.building': 'building', 'excitation.building.floor': 'storey' };
+const kControls = { yaw_deg: 'yaw', brakes: 'brakes', headings_deg: 'headings', 'room.file': 'room', 'floor.covering': 'covering', 'excitation.record': 'motion', 'excitation.record.scale': 'scale', 'excitation.building': 'building', 'excitation.building.floor': 'storey' };
 
 class Workbench {
   constructor(module) {
     this.engines = new Engines(module, Math.max(1, Math.min(8, navigator.hardwareConcurrency || 2)));
     this.chosen = 0;
     this.edits = Promise.resolve();
-    const fields = Object.entries(kFields).map(([key, id]) => [key, element(id)]);
+    const fields = Object.entries(kControls).map(([key, id]) => [key, element(id)]);
     this.pane = new TextPane({ text: element('text'), lines: element('lines'), errors: element('errors'), file: 'job.toml', fields, changed: () => this.read() });
     this.prevented = new Prevented(this.engines, (text) => this.change(text).then(() => this.run()));
     this.plan = new Plan(element('plan'), (...where) => this.place(...where), (i) => this.choose(i));
@@ -316,8 +316,12 @@ class Workbench {
     const data = { ...runs[0].recording, runs: runs.map((run, i) => ({ ...run.recording.runs[0], name: names[i] })) };
     const playback = new TextDecoder().decode(unpacked(element('playback').textContent));
     const json = JSON.stringify(data).replaceAll('<', '\\u003c');
-    element('player').srcdoc = playback.split('/*DATA*/').join(json);
-    element('player').onload = () => element('player').contentWindow.player?.toggle(true);
+    const player = element('player');
+    player.srcdoc = playback.split('/*DATA*/').join(json);
+    player.onload = () => {
+      player.onload = null;
+      player.contentWindow.player?.toggle(true);
+    };
   }
 
   tell() {

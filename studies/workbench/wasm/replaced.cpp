@@ -3,6 +3,7 @@
 #include "engine/base/parallel.h"
 #include "engine/baselines/stock_baseline.h"
 #include "equipment/catalogue/data_folder.h"
+#include "groundmotions/suites/suite.h"
 #include "studies/build_info/build_info.h"
 #include "studies/workbench/wasm/files.h"
 
@@ -24,6 +25,10 @@ Response baselines::simulate_on_stock_bullet(const Scene&, const FloorMotion&,
 equipment::DataFolder equipment::find_data_folder() {
   return {workbench::kRoot, DataFolder::Origin::kBesideProgram};
 }
+
+/// A page has no folders, and no patterns of files in them.
+bool groundmotions::is_glob(const std::filesystem::path&) { return false; }
+std::vector<std::filesystem::path> groundmotions::glob(const std::filesystem::path&) { return {}; }
 
 build_info::BuildInfo build_info::build_info() {
   return {GURNEY_VERSION, "", "Clang " __clang_version__, "double", "wasm32"};

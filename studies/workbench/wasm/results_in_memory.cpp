@@ -83,6 +83,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path), file_(0) {
   }
 }
 Hdf5Reader::~Hdf5Reader() = default;
+bool Hdf5Reader::has(const std::string& path) const { return file().columns.contains(path); }
 Texts Hdf5Reader::attributes() const {
   Texts names;
   for (const auto& [name, value] : file().attributes) names.push_back(name);
