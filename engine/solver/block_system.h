@@ -30,7 +30,7 @@ class BlockSystem {
   Eigen::Map<Eigen::VectorXd> right_side() { return {right_side_.data(), size()}; }
   /// Unknowns of all blocks so far: where the next one begins.
   Eigen::Index size() const { return begin_.back(); }
-  /// Tells that entries between two blocks are written.
+  /// Notes that entries between two blocks are written: the others stay zero.
   void couple(std::size_t a, std::size_t b) { coupled(a, b) = coupled(b, a) = 1; }
 
   /// Leaves the solution in right_side().

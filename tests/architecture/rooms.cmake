@@ -94,7 +94,7 @@ set(GURNEY_ROOMS
     equipment/catalogue studies/build_info studies/job studies/results
     studies/prepare studies/limit_states studies/plan studies/analysis"
   "studies/workbench: engine/base engine/baselines engine/config engine/scene engine/response engine/run
-    groundmotions/synthetic equipment/catalogue studies/bindings studies/build_info studies/job
+    groundmotions/suites groundmotions/synthetic equipment/catalogue studies/bindings studies/build_info studies/job
     studies/results studies/prepare studies/limit_states studies/statistics studies/findings studies/render
     studies/explanation studies/report studies/playback"
   "studies/cli: engine/base engine/config engine/response engine/run groundmotions/record

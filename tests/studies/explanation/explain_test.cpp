@@ -211,6 +211,7 @@ TEST(Explain, TakesPartsAsOnesOfTheirItem) {
   bag.model.chassis_inertia = 0.05 * Matrix3::Identity();
   bag.model.shape = {{{0, 0, 0.9}, {0.2, 0.2, 0.2}}};
   facts.scene.items.push_back(bag);
+  facts.scene.pairs.push_back({bag.model.material, bag.model.material, floor_of(kMu)});
   Joint hook;
   hook.kind = Joint::Kind::kBall;
   hook.name = "bag";
