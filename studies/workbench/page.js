@@ -316,12 +316,8 @@ class Workbench {
     const data = { ...runs[0].recording, runs: runs.map((run, i) => ({ ...run.recording.runs[0], name: names[i] })) };
     const playback = new TextDecoder().decode(unpacked(element('playback').textContent));
     const json = JSON.stringify(data).replaceAll('<', '\\u003c');
-    const player = element('player');
-    player.srcdoc = playback.split('/*DATA*/').join(json);
-    player.onload = () => {
-      player.onload = null;
-      player.contentWindow.player?.toggle(true);
-    };
+    element('player').srcdoc = playback.split('/*DATA*/').join(json);
+    element('player').onload = () => element('player').contentWindow.player?.toggle(true);
   }
 
   tell() {

@@ -96,6 +96,7 @@ cat > try.js << 'JS'
     await bench.run();
     found.compared = [...document.querySelectorAll('#kept h2')].map((each) => each.textContent).join();
     bench.play = () => {};  // without a graphics card it takes the time of the engines
+    element('player').onload = null;
     element('player').removeAttribute('srcdoc');
     await bench.many();
     found.curves = window.lastCurves.curves.map((curve) => curve.runs);
