@@ -1,9 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <vector>
-
-#include "engine/base/vector.h"
-#include "engine/solver/state.h"
 
 namespace gurney {
 
@@ -13,9 +12,6 @@ namespace gurney {
 /// on one other and is eliminated before it leaves all other blocks as they are.
 class BlockSystem {
  public:
-  /// Unknowns of a body at most: its chassis, and two joints of each caster.
-  static constexpr int kMaxSize = 6 + 2 * static_cast<int>(kMaxCasters);
-
   void clear() { begin_.assign(1, 0); }
   /// @returns the number of the block; blocks are eliminated in the order in which they are added
   std::size_t add_block(Eigen::Index size) {

@@ -89,7 +89,7 @@ class JointLaw {
   /// @param rate  of q
   double work_latch(double rate, JointState& state) const;
 
-  /// Of springs; held directions store nothing [J].
+  /// Energy of springs; held directions store nothing [J].
   double stored_energy(const Rows& rows, const JointState& state) const;
 
   /// Overlap of q with a stop and its speed towards it; of the lower stop, then the upper one.

@@ -42,7 +42,7 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
                    .first_skidded = {}};
   if (!is_part) result.tilt = tilt_margin(model, item.history, until_overturned(item));
   if (result.on_floor)
-    result.grip = grip_margin(facts, index, item.history, until_overturned(item));
+    result.grip = grip_margin(facts, index, result.mass, item.history, until_overturned(item));
   result.finding = finding_of(response, index, result.tilt.ratio());
   if (const auto lifts = lifts_of(model, item.history); !lifts.empty()) {
     result.first_lifted = caster_words(model, lifts.front().casters.front());
@@ -169,7 +169,7 @@ Tracks tracks_of(const study::RunFacts& facts, const ItemResponse& item, const E
   for (const Sample& sample : item.history) {
     const Grip grip = sample.time > until || !of.item().on_floor
                           ? Grip{kNone, kNone}
-                          : grip_of(facts, of.subject, sample);
+                          : grip_of(facts, of.subject, of.item().mass, sample);
     tracks.time.push_back(sample.time);
     tracks.floor.push_back(along.dot(facts.floor.acceleration_at(sample.time).head<2>()));
     tracks.displacement.push_back(sample.displacement.head<2>().norm());
@@ -409,11 +409,10 @@ TiltMargin tilt_margin(const EquipmentModel& item, const std::vector<Sample>& hi
   return margin;
 }
 
-Grip grip_of(const study::RunFacts& facts, std::size_t item, const Sample& sample) {
+Grip grip_of(const study::RunFacts& facts, std::size_t item, double mass, const Sample& sample) {
   const Scene& scene = facts.scene;
   const EquipmentModel& model = scene.items.at(item).model;
   const Vector3 floor = facts.floor.acceleration_at(sample.time);
-  const double mass = carried_mass(scene, item);
   Grip result{mass * floor.head<2>().norm(), 0};
   for (std::size_t i = 0; i < model.casters.size(); ++i)
     result.grip += grip_of(model.casters[i], sample.wheels[i].normal_force);
@@ -423,7 +422,7 @@ Grip grip_of(const study::RunFacts& facts, std::size_t item, const Sample& sampl
   return result;
 }
 
-GripMargin grip_margin(const study::RunFacts& facts, std::size_t item,
+GripMargin grip_margin(const study::RunFacts& facts, std::size_t item, double mass,
                        const std::vector<Sample>& history, double until) {
   GripMargin margin;
   for (const Caster& caster : facts.scene.items.at(item).model.casters)
@@ -431,7 +430,7 @@ GripMargin grip_margin(const study::RunFacts& facts, std::size_t item,
   double smallest = std::numeric_limits<double>::infinity();
   for (const Sample& sample : history) {
     if (sample.time > until) break;
-    const Grip now = grip_of(facts, item, sample);
+    const Grip now = grip_of(facts, item, mass, sample);
     margin.peak_demand = std::max(margin.peak_demand, now.demand);
     if (now.demand > now.grip && margin.time_exceeded < 0) margin.time_exceeded = sample.time;
     if (now.grip - now.demand >= smallest) continue;

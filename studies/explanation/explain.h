@@ -43,10 +43,11 @@ TiltMargin tilt_margin(const EquipmentModel& item, const std::vector<Sample>& hi
 struct Grip {
   double demand = 0, grip = 0;
 };
-Grip grip_of(const study::RunFacts& facts, std::size_t item, const Sample& sample);
+/// @param mass  of the item with what it carries [kg]
+Grip grip_of(const study::RunFacts& facts, std::size_t item, double mass, const Sample& sample);
 
 /// Until the item has overturned, or the end.
-GripMargin grip_margin(const study::RunFacts& facts, std::size_t item,
+GripMargin grip_margin(const study::RunFacts& facts, std::size_t item, double mass,
                        const std::vector<Sample>& history, double until);
 
 }  // namespace gurney::explanation

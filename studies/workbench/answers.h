@@ -22,8 +22,7 @@ Json straps_answer(const std::string& job, std::size_t item);
 /// Names and descriptions of what is shipped, and the kinds of synthetic motions.
 Json catalogue_answer();
 
-/// What stands where at the start: outlines of items and room and tethers, in plan; and the storeys of
-/// its building.
+/// Plan at the start: outlines of items and room, and tethers; and the storeys of the building.
 Json plan_answer(const std::string& job);
 
 /// A run with its findings, as `gurney run --json` and as people read them, its limit states and the

@@ -14,7 +14,7 @@ struct Example {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 
-/// What is left of K x = b, K and b as they were before, over the norm of b.
+/// Norm of K x - b, with K and b as they were before, over that of b.
 double residual_of(const Example& example, std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1, 1);
   BlockSystem system;

@@ -61,7 +61,7 @@ TEST(SimulatedSpectra, HaveTheMomentsOfTheTarget) {
   EXPECT_TRUE((errors.sigma.array().abs() < 5 * sigma / root / std::sqrt(2.) + 15e-4).all());
   const Eigen::MatrixXd apart = spectra.rowwise() - spectra.colwise().mean();
   const Eigen::MatrixXd covariance = apart.transpose() * apart / (kMany - 1);
-  // Of a covariance: sigma_i sigma_j sqrt((1 + rho^2) / n).
+  // Standard error of a covariance: sigma_i sigma_j sqrt((1 + rho^2) / n).
   EXPECT_TRUE(
       ((covariance - target.spectrum.covariance).array().abs() <
        5 * std::sqrt(2.) / root * (sigma.matrix() * sigma.matrix().transpose()).array() + 15e-4)

@@ -378,6 +378,7 @@ TEST(Grip, IsThatOfBrakesAndOfRolling) {
   study::RunFacts facts = shaken_block(6);
   facts.scene.items[0].model = box_on_casters();
   EquipmentModel& item = facts.scene.items[0].model;
+  const double mass = whole_item(item).mass;
   Sample sample;
   sample.time = kBegins + kLasts / 2;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -386,12 +387,12 @@ TEST(Grip, IsThatOfBrakesAndOfRolling) {
     item.casters[i].tread.rolling_friction_length = 1e-3;
     item.casters[i].wheel_radius = 0.05;
   }
-  EXPECT_NEAR(grip_of(facts, 0, sample).grip, 4 * 100 * 1e-3 / 0.05, 1e-9);
-  EXPECT_NEAR(grip_of(facts, 0, sample).demand, whole_item(item).mass * 6, 1e-6);
+  EXPECT_NEAR(grip_of(facts, 0, mass, sample).grip, 4 * 100 * 1e-3 / 0.05, 1e-9);
+  EXPECT_NEAR(grip_of(facts, 0, mass, sample).demand, mass * 6, 1e-6);
   item.casters[0].brake_torque = 100;  // more than the tread: 60 N
   item.casters[1].brake_torque = 2;    // less: 40 N
-  EXPECT_NEAR(grip_of(facts, 0, sample).grip, 60 + 40 + 2 * 2, 1e-9);
-  const GripMargin margin = grip_margin(facts, 0, {sample}, 10);
+  EXPECT_NEAR(grip_of(facts, 0, mass, sample).grip, 60 + 40 + 2 * 2, 1e-9);
+  const GripMargin margin = grip_margin(facts, 0, mass, {sample}, 10);
   EXPECT_TRUE(margin.braked && margin.rolls);
   EXPECT_NEAR(margin.grip, 104, 1e-9);
 }
