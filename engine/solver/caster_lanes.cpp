@@ -57,6 +57,7 @@ void CasterLanes::update_geometry(const State& start, double tau, const Velocity
 
   const TreadRates<Lanes> u = rates_of(v);
   stage_.tau = splat<Lanes>(tau);
+  // At zero rate: it ends at compression - tau u_n.
   stage_.compression = -geometry_.height + stage_.tau * u.normal;
   const CasterState* casters = start.casters.data() + first_;
   const auto of_tread = [&](const auto& number) {
@@ -72,6 +73,8 @@ void CasterLanes::update_geometry(const State& start, double tau, const Velocity
       gather([&](std::size_t k) { return casters_[k]->axle_limit(casters[k].axle_slips); });
   swivel_wind_ = gather([&](std::size_t k) { return casters[k].swivel_wind; });
   axle_wind_ = gather([&](std::size_t k) { return casters[k].axle_wind; });
+  // Whether the patch rolls through is decided by its memory, then by the pass before: the slope of a moment at its
+  // limit is 0.
   const LaneMask rolls =
       first_pass ? of_tread([](const TreadState& t) { return t.rolling ? 1 : 0; }) > Lanes{}
                  : abs(slope_.roll) == Lanes{};

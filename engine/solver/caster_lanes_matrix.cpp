@@ -53,6 +53,7 @@ std::array<Lanes, 36> CasterLanes::matrix(double tau) {
 
 void CasterLanes::eliminate() {
   const auto& [e0, e1] = joints_;  // columns of E
+  // E of swivel and axle is 2 x 2: its inverse in closed form.
   const Lanes inverse = 1.0 / (e0[0] * e1[1] - e0[1] * e1[0]);
   inverse_ = {std::array<Lanes, 2>{e1[1] * inverse, -e0[1] * inverse},
               {-e1[0] * inverse, e0[0] * inverse}};
@@ -68,6 +69,7 @@ void CasterLanes::eliminate() {
                       result.matrix.begin() + 6 * static_cast<int>(j));
   std::ranges::copy(entries(mul_add(joint_residual_[1], b1, joint_residual_[0] * b0)),
                     result.right_side.begin());
+  // Casters that touch another item keep their joints in the common system, and take nothing from the chassis here.
   if (!any(kept_)) return;
   for (Lanes& entry : result.matrix) entry = select(kept_, Lanes{}, entry);
   for (Lanes& entry : result.right_side) entry = select(kept_, Lanes{}, entry);
@@ -75,6 +77,7 @@ void CasterLanes::eliminate() {
 
 void CasterLanes::apply(const Vector6& step, Velocity& v) const {
   const Vec6<Lanes> x = splat<Lanes>(step);
+  // y = -E^-1 (q + C x).
   const Lanes q0 = joint_residual_[0] + dot(joints_chassis_[0], x);
   const Lanes q1 = joint_residual_[1] + dot(joints_chassis_[1], x);
   const Lanes swivel = inverse_[0][0] * q0 + inverse_[1][0] * q1;

@@ -30,11 +30,13 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   predicted_ = v;
   pose_.position = start.position + tau * v.chassis.head<3>();
   pose_.rotation = rotated(tau * v.chassis.tail<3>(), start.rotation).toRotationMatrix();
+  // In axes that move with the floor its acceleration acts as a change of gravity on every mass.
   const Vector3 gravity = mechanism_.gravity - input.floor.acceleration;
   carried_ << input.floor.angular_acceleration.cross(pose_.position),
       input.floor.angular_acceleration;
 
   const auto& chassis = mechanism_.chassis;
+  // Newton-Euler of the chassis about its centre: bias = (-m g, w x I w).
   const Matrix3 inertia = pose_.rotation * chassis.inertia * pose_.rotation.transpose();
   const Vector3 w = v.chassis.tail<3>();
   std::array<double, 20> sums{};  // moment of mass, inertia by columns, bias
@@ -47,6 +49,8 @@ void ItemStage::update_geometry(const Input& input, const Velocity& v, bool firs
   for (const CasterLanes& lanes : casters_)
     add_lanes(lanes.inertia_and_bias().data(), lanes.count(), packed);
   store(packed, sums.data());
+  // M = | m 1  -[s] |   with s the moment of mass about the chassis' centre, to which the chassis adds nothing,
+  //     | [s]   I  |   and [s] x = s x x.
   Matrix3 moment;
   moment << 0, -sums[2], sums[1], sums[2], 0, -sums[0], -sums[1], sums[0], 0;
   mass_.topRightCorner<3, 3>() = -moment;
@@ -65,6 +69,7 @@ double ItemStage::geometry_error(const Velocity& v) const {
 void ItemStage::begin_forces(const Input& input, const Velocity& v) {
   const State& start = *input.start;
   const double tau = input.tau;
+  // Change of velocity in the stage against an unaccelerated observer; a floor that turns carries its axes along.
   Vector6 chassis_change = v.chassis - start.velocity.chassis;
   if (input.floor.rotates) chassis_change += tau * carried_;
   std::array<double, 12> sums;
@@ -95,9 +100,11 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
   if (!mechanism_.tethers.empty())
     mechanism_.tethers.evaluate(tau, *input.start, pose_, v.chassis, load_rows_);
   for (const auto& row : load_rows_) force_ += row.force * row.direction;
+  // r = M (v - v_start) - tau (J' f + f_loads - bias).
   residual_ = momentum_ - tau * force_;
   for (int dof = 0; dof < 6; ++dof) {
     if (!constrained(dof)) continue;
+    // A guide replaces the equation of its direction by v = v_guide; what the equation misses is its impulse.
     reaction_[static_cast<std::size_t>(dof)] = residual_[dof];
     residual_[dof] =
         mechanism_.total_mass * (v.chassis[dof] - mechanism_.fixture.guides[dof].velocity);
@@ -105,6 +112,7 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
   double joints = 0;
   for (const CasterLanes& lanes : casters_)
     joints = std::max(joints, lanes.largest_joint_residual());
+  // Residuals as fractions of the impulse of the weight; those of moments over a length of the item.
   const double scale = 1 / (mechanism_.total_mass * kStandardGravity * tau);
   return scale * std::max({residual_.head<3>().cwiseAbs().maxCoeff(),
                            residual_.tail<3>().cwiseAbs().maxCoeff() / mechanism_.length, joints});
@@ -118,6 +126,7 @@ void ItemStage::begin_matrix() {
 
 void ItemStage::add_contact_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
                                   const Matrix3& slope) {
+  // tau J' D J of a contact; slope has the factor tau.
   matrix_ += chassis.transpose() * slope * chassis;
   if (caster < 0) return;
   lanes_of(caster).add_slopes(lane_of(caster), chassis.transpose() * slope * joints,
@@ -129,6 +138,7 @@ void ItemStage::eliminate() {
   right_side_ = -residual_;
   for (const auto& row : load_rows_)
     if (row.slope != 0) matrix_ += tau_ * row.slope * row.direction * row.direction.transpose();
+  // The Schur complement A - B E^-1 C and -r + B E^-1 q of all casters (CasterLanes::matrix).
   std::array<double, 8> side{};
   Eigen::Map<Vector6>(side.data()) = right_side_;
   for (CasterLanes& lanes : casters_) lanes.eliminate();
@@ -144,6 +154,7 @@ void ItemStage::eliminate() {
   right_side_ = Eigen::Map<Vector6>(side.data());
   for (int dof = 0; dof < 6; ++dof) {
     if (!constrained(dof)) continue;
+    // m (v + x) = m v_guide for the step x.
     matrix_.row(dof).setZero();
     matrix_(dof, dof) = mechanism_.total_mass;
     right_side_[dof] = -residual_[dof];

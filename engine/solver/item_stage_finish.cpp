@@ -27,6 +27,7 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
   end.velocity = v;
   out.acceleration.chassis = (v.chassis - start.velocity.chassis) / tau;
 
+  // a' M a: what the method of second order loses or gains of kinetic energy (EnergyAccount::numerical_loss).
   const Vector6& a = out.acceleration.chassis;
   double rates = a.dot(mass_ * a);
   Vector3 momentum = mechanism_.chassis.mass * v.chassis.head<3>();
@@ -36,6 +37,7 @@ void ItemStage::finish(const Input& input, const Velocity& v, State& end, Output
                  {&out.treads[i], &out.heading[i], &out.acceleration.joints[i]},
                  {power, rates, momentum});
   }
+  // Power of the force -m x'' that the floor's acceleration is in its axes.
   power.work_of_floor = -input.floor.acceleration.dot(momentum);
   if (input.floor.rotates) power.work_of_floor -= carried_.dot(all_momentum(v));
   for (int dof = 0; dof < 6; ++dof) {

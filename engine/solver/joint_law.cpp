@@ -50,6 +50,7 @@ JointLaw::JointLaw(const Joint& joint, const Mechanism& base, const Mechanism& p
   frame_.col(1) = joint.axis.cross(frame_.col(0));
   const double largest =
       Eigen::SelfAdjointEigenSolver<Matrix3>(part.chassis.inertia).eigenvalues().maxCoeff();
+  // Squared radius of gyration about the joint: the same omega_c for rotations.
   hold_turn_ = hold_ * (largest / part.chassis.mass + on_part_.squaredNorm());
   friction_.stiffness = joint.friction / kFrictionYield;
 }
@@ -87,6 +88,7 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
     row.base = row.part;
   };
   const Matrix3 relative = base.rotation.transpose() * part.rotation;
+  // A hinge holds its axis a: e_k = f_k . a with the axes f_k across it, and f_k . (w x a) = w . (a x f_k).
   if (joint_.kind == JointKind::kHinge) {
     const Vector3 axis = relative * joint_.axis;
     for (int k = 0; k < 2; ++k)
@@ -98,11 +100,13 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
     turning(frame.col(2), add(turn + std::remainder(angle - turn, 2 * std::numbers::pi), true, 0));
     return result;
   }
+  // All other rotations are held, or spring, by the rotation vector theta with theta_k' = (J' f_k) . w.
   const Vector3 theta = rotation_vector(relative);
   const Matrix3 to_rates = transposed_rate_matrix(theta);
   for (int k = 0; k < 3; ++k) {
     const bool free =
         joint_.kind == JointKind::kBall || (joint_.kind == JointKind::kFlexible && k < 2);
+    // A row without any force.
     if (free && joint_.stiffness == 0 && joint_.damping == 0) continue;
     turning(base.rotation * to_rates * frame_.col(k),
             add(frame_.col(k).dot(theta), free, hold_turn_));
@@ -123,6 +127,7 @@ JointLaw::Force JointLaw::along(const Stage& stage, double rate) const {
   const Row& row = stage.rows.rows[*stage.rows.along];
   const double tau = stage.tau, q = row.value + tau * rate;
   Force sum;
+  // All that acts along q adds up, each at the end of the stage.
   sum.force = row.stiffness * (q - joint_.rest) + row.damping * rate;
   sum.slope = tau * row.stiffness + row.damping;
   if (joint_.friction > 0) {

@@ -77,6 +77,7 @@ void StageSolver::update_contacts(const Input& input, const std::vector<Velocity
     }
     gap -= contact.offset;
     work.stage.tau = input.tau;
+    // Laws take the compression at zero rate, so that it ends at compression - tau u_z.
     work.stage.compression = -gap + input.tau * contact_rates(work, v).z();
     work.stage.approach_speed = memory.approach_speed;
     work.stage.deflection = work.frame.topRows<2>() * memory.deflection;
@@ -104,6 +105,7 @@ void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity
     power.contact_loss += result.sliding_power + result.damping_power;
     out.items[a.item].spring_rates += result.spring_rates;
     if (!work.contact->between_items()) continue;
+    // What one item gives the other is no loss: the sum over both vanishes but for the contact's own power.
     const double given = -result.force.dot(rates(b, work.other_side, v));
     out.items[b.item].power.work_of_neighbours += given;
     power.work_of_neighbours -= given;

@@ -71,6 +71,8 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
     if (!work.contact->between_items() || !work.pushes()) continue;
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     if (group_of_[a.item] != group.front()) continue;
+    // A contact of two items acts by u = J_a v_a - J_b v_b: beside their own blocks K has -tau J_a' D J_b and its
+    // transpose.
     const Matrix3 slope = tau * work.slope;
     const auto couple = [&](Eigen::Index row, const auto& left, Eigen::Index column,
                             const auto& right) {
@@ -96,6 +98,7 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
     if (group_of_[work.part()] != group.front()) continue;
     const Place &part = places_[work.part()], &base = places_[work.base()];
     system_.couple(part.block, base.block);
+    // The same of a joint: -tau sum of dT/du d_p d_b'.
     Matrix6 slopes = Matrix6::Zero();
     for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
       const JointLaw::Row& row = work.stage.rows.rows[r];
@@ -105,6 +108,7 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
     K.block<6, 6>(part.chassis, base.chassis) -= slopes;
     K.block<6, 6>(base.chassis, part.chassis) -= slopes.transpose();
   }
+  // Couplings have filled the rows of guided directions again.
   for (std::size_t i : group)
     for (int dof = 0; dof < 6; ++dof) {
       if (!items_[i].constrained(dof)) continue;

@@ -15,6 +15,7 @@ void StageSolver::update_joints(const Input& input, const std::vector<Velocity>&
                                      work.stage.start.coordinate);
     for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
       JointLaw::Row& row = work.stage.rows.rows[r];
+      // The law takes e at zero rate: it ends at e + tau u.
       row.value -= input.tau * row.rate(v[work.part()].chassis, v[work.base()].chassis);
     }
   }
@@ -47,6 +48,7 @@ void StageSolver::finish_joints(const Input& input, Output& out) const {
     ItemStage::Output& part = out.items[work.part()];
     part.spring_rates += work.law->finish(work.stage, work.rates, part.power,
                                           out.end.joints[input.island->joints[k]]);
+    // Power of T on the base is work between the two; what is left of it on the part, -T u, is in losses and springs.
     double given = 0;
     for (std::size_t r = 0; r < work.stage.rows.count; ++r)
       given += work.forces[r].force * work.stage.rows.rows[r].base.dot(v_[work.base()].chassis);

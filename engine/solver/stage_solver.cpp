@@ -65,7 +65,8 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
   double residual = 0;
   for (std::size_t i : input.island->items) {
     const double of_item = items_[i].end_forces(inputs_[i], v[i]);
-    if (!(of_item <= residual)) residual = of_item;
+    if (std::isnan(of_item) || of_item > residual)
+      residual = of_item;  // one that is no number stays
   }
   return residual;
 }
@@ -115,6 +116,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
     double residual = evaluate_forces(input, v_);
     int iteration = 0;
     for (; residual > tolerance && iteration < settings_.max_iterations; ++iteration) {
+      // Full steps settle most stages in two or three; halving them is for those that cycle between pieces of a law.
       const bool may_backtrack = iteration >= kIterationsBeforeBacktracking;
       if (may_backtrack)
         for (std::size_t i : island) before_[i] = v_[i];
@@ -140,6 +142,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
     out.iterations += iteration;
     out.residual = residual;
     converged = residual <= tolerance;
+    // Directions are those of the velocity that was expected: solve again where it came out otherwise.
     if (!converged || geometry_error(*input.island, v_) < kGeometryTolerance) break;
   }
   if (std::isfinite(out.residual)) finish(input, v_, out);

@@ -136,6 +136,7 @@ bool Stepper::attempt(const Island& island, const SceneState& from, double durat
   input_.tau = tau;
   input_.loads = {tau, time, time + duration, true, nullptr};
 
+  // SDIRK2: both stages are implicit and of length gamma h, the second from y + (1 - gamma) h k_1.
   const auto [floor_first, floor_second] = floor_stages(floor_, assembly_.gravity, time, duration);
   floor_second_ = floor_second;
 
@@ -175,9 +176,11 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
   const double time = state.items[island.items.front()].time;
   for (std::size_t i : island.items) {
     const ItemStage::Output &first = first_.items[i], &second = second_.items[i];
+    // Powers are integrated by the weights of the method, 1 - gamma and gamma.
     add_power(first.power, (1 - kSdirkGamma) * duration, accounts_[i]);
     add_power(second.power, kSdirkGamma * duration, accounts_[i]);
     accounts_[i].numerical_loss += 0.5 * tau * tau * (second.spring_rates - first.spring_rates);
+    // The first guess of the next step.
     predictions_[i] = {second.acceleration, floor_second_.acceleration, true};
     crossings_.observe(i, assembly_.items[i].casters.size(), duration, first, second,
                        floor_second_.acceleration.z());
@@ -219,6 +222,7 @@ std::optional<double> Stepper::locate_event(const Island& island, const SceneSta
   double at_high = past_event(island, second_.end);
   double trial = duration;
   for (int i = 0; i < kMaxEventTrials && high - low > 1e-15; ++i) {
+    // Regula falsi on the step's length: the step ends at the event, and no law changes inside it.
     trial = low + (high - low) * at_low / (at_low - at_high);
     if (!attempt(island, from, trial)) return std::nullopt;
     const double here = past_event(island, second_.end);
@@ -248,6 +252,7 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
   if (!converged) {
     if (depth < settings_.max_subdivisions) {
       if (depth == 0) ++quality_.subdivided_steps;
+      // Halves start from the velocity itself: the prediction may have led astray.
       for (std::size_t i : island.items) predictions_[i].known = false;
       const double middle = from + 0.5 * duration;
       if (auto cause = advance_smoothly(island, state, middle, depth + 1, observer)) return cause;
@@ -294,6 +299,7 @@ double Stepper::end_of_step(const Island& island, const SceneState& state, doubl
     const Vector3 change = apparent_floor_velocity(floor_, assembly_.gravity, time + until) -
                            apparent_floor_velocity(floor_, assembly_.gravity, time);
     const Vector3 floor = change / until;
+    // The time depends on the floor's mean acceleration until then, which depends on the time.
     const double reversal = reversals_.first(floor);
     until = longest;
     if (reversal > kEventTolerance * longest) until = std::min(until, reversal);

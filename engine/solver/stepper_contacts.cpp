@@ -16,6 +16,7 @@ constexpr double kStepsInImpact = 32;
 void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState& state) {
   if (contacts.empty() && state.contacts.empty()) return;
   const std::size_t count = state.items.size();
+  // Contacts that are found anew store another energy than those they replace: the difference is booked as a loss.
   for (std::size_t i = 0; i < count; ++i)
     accounts_[i].contact_loss += assembly_.contact_energy(i, state);
   contacts_ = contacts;
@@ -25,6 +26,8 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
     memory.deflection -= memory.contact.normal * memory.contact.normal.dot(memory.deflection);
     // One that has parted may overlap again as its points move: that is no new blow.
     if (memory.compression <= 0) memory.approach_speed = approach_speed(memory.contact, state);
+    // A point that is found inside another body without a blow starts unloaded: slack is the overlap that does not
+    // push. It only shrinks.
     const double overlap = -assembly_.gap(memory.contact, state);
     memory.slack = std::clamp(memory.slack, 0.0, std::max(overlap, 0.0));
     if (!memory.kept_place)
@@ -100,9 +103,11 @@ double Stepper::longest_step(const Island& island, const SceneState& state, doub
     if (stays_apart(c)) continue;
     double count = contacts_of_[contact.side.item];
     if (contact.between_items()) count = std::max(count, contacts_of_[contact.other_side.item]);
+    // Points side by side share the blow, and their springs add up.
     const double stiffness = assembly_.laws.of(contact).impact_stiffness() * count;
     const double duration =
         std::numbers::pi * std::sqrt(assembly_.effective_mass(contact, state) / stiffness);
+    // Half a period pi sqrt(m / k) of the blow takes kStepsInImpact steps; the one before ends short of the touch.
     const double until_touch = gap > 0 ? gap / -rate : 0;
     longest = std::min(longest, std::max(duration / kStepsInImpact, 0.8 * until_touch));
   }
