@@ -39,11 +39,14 @@ class BlockSystem {
   void eliminate(std::size_t block);
   void reduce_rows(std::size_t block);
 
-  std::vector<Eigen::Index> begin_{0};       // of each block, and the end
-  std::vector<double> matrix_, right_side_;  // by columns
-  std::vector<char> coupled_;                // of pairs of blocks
-  std::vector<double> rows_;                 // of the block that is eliminated, one after the other
-  std::vector<std::size_t> later_;           // blocks that one is coupled to and that follow it
+  std::vector<Eigen::Index> begin_{0};  // of each block, and the end
+  /// Eigen works on entries up to its next boundary of alignment one by one, and on those after it in packets, whose
+  /// rounding is another: without a boundary at the start, bits would depend on where the memory is.
+  using Aligned = std::vector<double, Eigen::aligned_allocator<double>>;
+  Aligned matrix_, right_side_;     // by columns
+  std::vector<char> coupled_;       // of pairs of blocks
+  std::vector<double> rows_;        // of the block that is eliminated, one after the other
+  std::vector<std::size_t> later_;  // blocks that one is coupled to and that follow it
 };
 
 }  // namespace gurney

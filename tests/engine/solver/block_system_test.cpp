@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <random>
 
 namespace gurney {
@@ -57,6 +60,39 @@ TEST(BlockSystem, SolvesChainsStarsAndRings) {
                                  Example{{6, 8, 6, 22}, {{0, 1}, {1, 2}, {2, 3}, {0, 3}}},
                                  Example{{10, 6, 6, 6, 6}, {{0, 4}, {0, 2}, {1, 3}}}})
     EXPECT_LT(residual_of(example, random), kRounding);
+}
+
+// Systems whose memory begins at other multiples of 16 bytes, as a heap of many sizes gives them.
+TEST(BlockSystem, HasTheSameBitsWhereverItsMemoryIs) {
+  const auto solution = [] {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> number(-1, 1);
+    BlockSystem system;
+    for (const Eigen::Index size : {10, 6, 8, 6}) system.add_block(size);
+    system.set_zero();
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = 0; b < a; ++b) system.couple(a, b);
+    auto K = system.matrix();
+    for (double& entry : K.reshaped()) entry = number(random);
+    K.diagonal().array() += 60;
+    for (double& entry : system.right_side()) entry = number(random);
+    const auto begins = [](const double* at) {
+      return reinterpret_cast<std::uintptr_t>(at) % EIGEN_MAX_ALIGN_BYTES;
+    };
+    EXPECT_EQ(begins(system.matrix().data()), 0);
+    EXPECT_EQ(begins(system.right_side().data()), 0);
+    system.solve();
+    return std::make_pair(Eigen::VectorXd(system.right_side()), std::move(system));
+  };
+  const auto first = solution();
+  // 48 bytes each, with those of the heap itself.
+  std::vector<std::unique_ptr<std::array<double, 4>>> between;
+  std::vector<std::pair<Eigen::VectorXd, BlockSystem>> all;
+  for (int i = 0; i < 32; ++i) {
+    for (int k = 0; k < i % 3; ++k) between.push_back(std::make_unique<std::array<double, 4>>());
+    all.push_back(solution());
+    EXPECT_EQ(all.back().first, first.first) << "system " << i;
+  }
 }
 
 }  // namespace

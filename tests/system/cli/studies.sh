@@ -79,6 +79,26 @@ study 0 "one.h5 (already complete)" small.toml -o one.h5 --resume
 study 0 "runs     48" small.toml -o fresh.h5 --resume
 same one.h5 fresh.h5
 
+# A cart with parts and what stands on them: the same bytes wherever the heap puts its numbers.
+cat > parts.toml <<TOML
+schema = "gurney-job/1"
+[item]
+equipment = "crash_cart"
+variant = "drawers and defibrillator"
+[excitation.record]
+synthetic = { kind = "stochastic" }
+[settings]
+duration_s = 3
+[study]
+draws = 1
+synthetic_records = 1
+TOML
+expect 0 "parts.h5" "$gurney" run parts.toml -o parts.h5
+for heap in GLIBC_TUNABLES=glibc.malloc.tcache_count=0 MALLOC_MMAP_THRESHOLD_=16; do
+  expect 0 "parts_elsewhere.h5" env "$heap" "$gurney" run parts.toml -o parts_elsewhere.h5 --overwrite
+  same parts.h5 parts_elsewhere.h5
+done
+
 # Killed at random moments, then gone on with.
 job long.toml 80
 TIMEFORMAT=%U
