@@ -310,7 +310,8 @@ EquipmentFacts equipment_facts(const equipment::ItemDescription& item,
   EquipmentFacts facts{whole,          equipment::item_sheet(whole, floor),
                        floor,          item.description,
                        item.variants,  loaded.assumptions,
-                       loaded.warnings};
+                       loaded.warnings, loaded.parts,
+                       loaded.contents};
   for (std::string& finding : equipment::implausible(whole))
     facts.warnings.push_back(std::move(finding));
   return facts;
