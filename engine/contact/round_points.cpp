@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kParallel = 1e-3;  // sine of the angle of two axes
 constexpr int kPrismSides = 32;
+/// A flat end that stands on points of its rim reaches lower between them, by less than this part of the
+/// radius.
+constexpr double kProven = 1e-3;
 
 Vector3 on_segment(const Vector3& from, const Vector3& to, const Vector3& point) {
   const Vector3 along = to - from;
@@ -137,6 +140,23 @@ void flip(std::vector<FacingPoint>& points, std::size_t first) {
   }
 }
 
+/// column_points, or where its axes miss the one that separates the bodies, as an edge across a rim, those
+/// of a prism in the cylinder. Points as far apart as the plane across them leaves are right: no two are
+/// nearer, and no plane leaves more.
+void proven_points(const ConvexShape& a, const Cylinder& b, const Vector3& motion, double margin,
+                   std::vector<FacingPoint>& points) {
+  const std::size_t before = points.size();
+  column_points(a, b, motion, margin, points);
+  if (points.size() > before) {
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(before);
+    const FacingPoint& least = *std::ranges::min_element(first, points.end(), {}, &FacingPoint::gap);
+    const double leaves = a.lowest(least.normal) + b.lowest(-least.normal);
+    if (least.gap <= leaves + kProven * b.radius) return;
+    points.resize(before);
+  }
+  convex_points(a, prism(b), motion, margin, points);
+}
+
 /// The sides of two cylinders at two points of their axes.
 void add_sides(const Cylinder& a, const Cylinder& b, const Vector3& at_a, const Vector3& at_b,
                double margin, std::vector<FacingPoint>& points) {
@@ -194,10 +214,17 @@ void cylinder_points(const Cylinder& a, const Cylinder& b, const Vector3& motion
       return add_sides(a, b, at_a, at_b, margin, points);
   }
   // The rim whose end is farther from the other's middle is the prism.
-  if (ends_b >= ends_a) return column_points(prism(a), b, motion, margin, points);
+  if (ends_b >= ends_a) return proven_points(prism(a), b, motion, margin, points);
   const std::size_t before = points.size();
-  column_points(prism(b), a, -motion, margin, points);
+  proven_points(prism(b), a, -motion, margin, points);
   flip(points, before);
+}
+
+/// A column at rest keeps to the axes that boxes have always met it along.
+void polyhedron_and_cylinder(const ConvexShape& a, const Cylinder& b, const Vector3& motion,
+                             double margin, std::vector<FacingPoint>& points) {
+  if (b.rim.isZero()) return column_points(a, b, motion, margin, points);
+  proven_points(a, b, motion, margin, points);
 }
 
 }  // namespace
@@ -212,9 +239,10 @@ void form_points(const BodyForm& a, const BodyForm& b, const Vector3& motion, do
   }
   const auto *solid_a = std::get_if<ConvexShape>(&a), *solid_b = std::get_if<ConvexShape>(&b);
   if (solid_a && solid_b) return convex_points(*solid_a, *solid_b, motion, margin, points);
-  if (solid_a) return column_points(*solid_a, std::get<Cylinder>(b), motion, margin, points);
+  if (solid_a)
+    return polyhedron_and_cylinder(*solid_a, std::get<Cylinder>(b), motion, margin, points);
   if (solid_b) {
-    column_points(*solid_b, std::get<Cylinder>(a), -motion, margin, points);
+    polyhedron_and_cylinder(*solid_b, std::get<Cylinder>(a), -motion, margin, points);
     return flip(points, before);
   }
   cylinder_points(std::get<Cylinder>(a), std::get<Cylinder>(b), motion, margin, points);
