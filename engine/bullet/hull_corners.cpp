@@ -29,9 +29,8 @@ std::vector<Vector3> hull_corners(std::vector<Vector3> points) {
   std::vector<Vector3> corners;
   for (int i = 0; i < hull.vertices.size(); ++i) {
     const Vector3 rounded = from_bullet(hull.vertices[i]);
-    corners.push_back(*std::ranges::min_element(points, {}, [&](const Vector3& point) {
-      return (point - rounded).squaredNorm();
-    }));
+    corners.push_back(*std::ranges::min_element(
+        points, {}, [&](const Vector3& point) { return (point - rounded).squaredNorm(); }));
   }
   std::ranges::sort(corners, before);
   const auto twice = std::ranges::unique(corners);

@@ -84,7 +84,8 @@ void place(const BodyForm& form, const Quaternion& rotation, const Vector3& posi
 }
 
 double lowest(const BodyForm& form, const Vector3& direction) {
-  if (const auto* polyhedron = std::get_if<ConvexShape>(&form)) return polyhedron->lowest(direction);
+  if (const auto* polyhedron = std::get_if<ConvexShape>(&form))
+    return polyhedron->lowest(direction);
   if (const auto* cylinder = std::get_if<Cylinder>(&form)) return cylinder->lowest(direction);
   const auto& sphere = std::get<Sphere>(form);
   return direction.dot(sphere.center) - sphere.radius * direction.norm();
@@ -123,9 +124,9 @@ MassProperties uniform_solid(double mass, const BodyShape& shape) {
   if (const auto* solid = std::get_if<SolidCylinder>(&shape.solid)) {
     const double r2 = solid->radius * solid->radius, h2 = solid->length * solid->length;
     const double across = mass * (3 * r2 + h2) / 12, along = mass * r2 / 2;
-    return {mass, shape.center,
-            across * Matrix3::Identity() +
-                (along - across) * solid->axis * solid->axis.transpose()};
+    return {
+        mass, shape.center,
+        across * Matrix3::Identity() + (along - across) * solid->axis * solid->axis.transpose()};
   }
   if (const auto* solid = std::get_if<SolidSphere>(&shape.solid))
     return {mass, shape.center, 0.4 * mass * solid->radius * solid->radius * Matrix3::Identity()};
@@ -156,8 +157,7 @@ std::optional<double> level_top(const BodyShape& shape, const Vector2& point) {
   if (std::holds_alternative<SolidSphere>(shape.solid)) return {};
   const ConvexShape hull = convex_body(outline_points(shape));
   for (const ConvexShape::Face& face : hull.faces)
-    if (face.normal.z() > 0 && face.normal.head<2>().norm() < kLevel &&
-        lies_in(hull, face, point))
+    if (face.normal.z() > 0 && face.normal.head<2>().norm() < kLevel && lies_in(hull, face, point))
       return hull.level(face) / face.normal.z();
   return {};
 }

@@ -13,8 +13,8 @@ enum Kind { kFace, kEdge };
 
 /// An axis nearer to the column's than 45 degrees meets an end.
 constexpr double kEnd = std::numbers::sqrt2 / 2;
-constexpr int kRimPoints = 16;          // of a column at rest
-constexpr double kSamePoint = 1e-6;     // [m]
+constexpr int kRimPoints = 16;       // of a column at rest
+constexpr double kSamePoint = 1e-6;  // [m]
 /// Edges that lean less against the column are along it: sine of the angle.
 constexpr double kAlong = 1e-3;
 constexpr double kParallel = 1e-6;
@@ -142,8 +142,7 @@ void end_points(const SurfacePiece& a, const Cylinder& b, const Vector3& normal,
                                 is_of_rim),
                  points.end());
   if (tilt < Cylinder::kTilted) return;
-  const Vector3 lowest =
-      b.center + b.half_height * end.normal + (b.radius / tilt) * out;
+  const Vector3 lowest = b.center + b.half_height * end.normal + (b.radius / tilt) * out;
   const std::size_t kept = points.size();
   facing_points(a, {{lowest}, end.normal}, normal, shift, margin, points);
   for (std::size_t i = kept; i < points.size(); ++i) points[i].rolls_b = true;

@@ -26,9 +26,7 @@ struct Cylinder {
   /// Least of direction . p over all of its points.
   double lowest(const Vector3& direction) const;
   /// The part of a direction across the axis.
-  Vector3 across(const Vector3& direction) const {
-    return direction - axis.dot(direction) * axis;
-  }
+  Vector3 across(const Vector3& direction) const { return direction - axis.dot(direction) * axis; }
   /// Points of the rim of an end that the body keeps. @param end  -1 or 1
   std::array<Vector3, kRimPoints> rim_points(int end) const;
 };

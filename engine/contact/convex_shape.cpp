@@ -20,7 +20,7 @@ constexpr double kFlat = 5e-4;
 constexpr double kFlatPart = 1e-3;
 constexpr double kFlatOfBody = 1e-4;  // part of its size
 constexpr double kExact = 1e-9;       // part of a box's size
-constexpr double kParallel = 1e-9;  // sine of the angle
+constexpr double kParallel = 1e-9;    // sine of the angle
 /// Corners this near to the outermost one touch with it [m].
 constexpr double kSameLevel = 1e-6;
 /// A face that turns its edge faces nothing: cosine of the angle.

@@ -77,7 +77,8 @@ Surface nearest(const Cylinder& column, const Vector3& point) {
   const Vector3 end = std::copysign(1.0, along) * column.axis;
   const double beyond = std::abs(along) - column.half_height, beside = away - column.radius;
   if (beyond <= 0 && beside <= 0)
-    return beyond > beside ? Surface{point - beyond * end, end} : Surface{point - beside * side, side};
+    return beyond > beside ? Surface{point - beyond * end, end}
+                           : Surface{point - beside * side, side};
   const Vector3 there = point - std::max(beyond, 0.0) * end - std::max(beside, 0.0) * side;
   return {there, (point - there).normalized()};
 }
@@ -90,8 +91,7 @@ Surface nearest(const Sphere& sphere, const Vector3& point) {
 
 void sphere_points(const Sphere& a, const BodyForm& b, double margin,
                    std::vector<FacingPoint>& points) {
-  const Surface on_b =
-      std::visit([&](const auto& form) { return nearest(form, a.center); }, b);
+  const Surface on_b = std::visit([&](const auto& form) { return nearest(form, a.center); }, b);
   FacingPoint point;
   point.on_a = a.center - a.radius * on_b.normal;
   point.on_b = on_b.point;
@@ -149,7 +149,8 @@ void proven_points(const ConvexShape& a, const Cylinder& b, const Vector3& motio
   column_points(a, b, motion, margin, points);
   if (points.size() > before) {
     const auto first = points.begin() + static_cast<std::ptrdiff_t>(before);
-    const FacingPoint& least = *std::ranges::min_element(first, points.end(), {}, &FacingPoint::gap);
+    const FacingPoint& least =
+        *std::ranges::min_element(first, points.end(), {}, &FacingPoint::gap);
     const double leaves = a.lowest(least.normal) + b.lowest(-least.normal);
     if (least.gap <= leaves + kProven * b.radius) return;
     points.resize(before);
@@ -208,8 +209,7 @@ void cylinder_points(const Cylinder& a, const Cylinder& b, const Vector3& motion
   } else {
     const Crossing at = crossing(a, b);
     const Vector3 at_a = a.center + at.on_a * a.axis, at_b = b.center + at.on_b * b.axis;
-    const bool within =
-        std::abs(at.on_a) <= a.half_height && std::abs(at.on_b) <= b.half_height;
+    const bool within = std::abs(at.on_a) <= a.half_height && std::abs(at.on_b) <= b.half_height;
     if (within && (at_a - at_b).norm() - a.radius - b.radius > std::max(ends_a, ends_b))
       return add_sides(a, b, at_a, at_b, margin, points);
   }
@@ -232,7 +232,8 @@ void polyhedron_and_cylinder(const ConvexShape& a, const Cylinder& b, const Vect
 void form_points(const BodyForm& a, const BodyForm& b, const Vector3& motion, double margin,
                  std::vector<FacingPoint>& points) {
   const std::size_t before = points.size();
-  if (const auto* sphere = std::get_if<Sphere>(&a)) return sphere_points(*sphere, b, margin, points);
+  if (const auto* sphere = std::get_if<Sphere>(&a))
+    return sphere_points(*sphere, b, margin, points);
   if (const auto* sphere = std::get_if<Sphere>(&b)) {
     sphere_points(*sphere, a, margin, points);
     return flip(points, before);

@@ -69,10 +69,9 @@ void check_shape(const BodyShape& shape, std::size_t i, Problems& problems) {
     problems.check(std::abs(cylinder->axis.norm() - 1) < kRelativeTolerance,
                    fmt::format("norm of shape[{}].axis", i), cylinder->axis.norm(), "1");
   } else if (const auto* hull = std::get_if<SolidHull>(&shape.solid)) {
-    problems.check(
-        hull->corners.size() <= SolidHull::kMaxCorners && spans_a_volume(hull->corners),
-        fmt::format("shape[{}]: a hull has 4 to {} points that span a volume", i,
-                    SolidHull::kMaxCorners));
+    problems.check(hull->corners.size() <= SolidHull::kMaxCorners && spans_a_volume(hull->corners),
+                   fmt::format("shape[{}]: a hull has 4 to {} points that span a volume", i,
+                               SolidHull::kMaxCorners));
   }
 }
 

@@ -68,7 +68,7 @@ double WheelClearance::gap_to_room(const std::vector<Ball>& balls) const {
 }
 
 double WheelClearance::gap_to_shapes(const std::vector<Ball>& balls, std::size_t other,
-                                    const State& at) const {
+                                     const State& at) const {
   double gap = kFar;
   for (const Ball& ball : balls) {
     const Vector3 point = at.rotation.conjugate() * (ball.center - at.position);

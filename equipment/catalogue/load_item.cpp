@@ -215,7 +215,8 @@ std::string before(const std::string& where) { return where.empty() ? "" : where
 
 LoadedContent load_content(const ItemDescription& item, const ContentDescription& content,
                            const ItemOptions& options, const Vector3& base) {
-  const std::vector<BodyShape>& below = content.on == 0 ? item.shape : item.parts[content.on - 1].shape;
+  const std::vector<BodyShape>& below =
+      content.on == 0 ? item.shape : item.parts[content.on - 1].shape;
   require(carries(below, content),
           fmt::format(
               "{}content '{}': no shape of {} has a level top below it at {:g} mm",

@@ -139,9 +139,11 @@ std::vector<MeshObject> read_mesh(const std::string& path) {
   } else if (is_binary_stl(bytes)) {
     objects = {binary_stl(path, bytes)};
   } else {
-    require(trimmed(bytes).starts_with("solid"),
-            path + ": is neither an ASCII STL, which begins with \"solid\", nor a binary one, whose size "
-                   "is 84 bytes and 50 for each triangle");
+    require(
+        trimmed(bytes).starts_with("solid"),
+        path +
+            ": is neither an ASCII STL, which begins with \"solid\", nor a binary one, whose size "
+            "is 84 bytes and 50 for each triangle");
     objects = ascii_stl(path, bytes);
   }
   std::erase_if(objects, [](const MeshObject& object) { return object.points.empty(); });

@@ -18,9 +18,9 @@ using config::Range;
 using config::Table;
 using Solids = std::vector<BodyShape>;
 
-constexpr std::size_t kMany = 100;               // corners that a hull may be tried with one by one
+constexpr std::size_t kMany = 100;  // corners that a hull may be tried with one by one
 constexpr double kSmallest = 1e-3, kLargest = 20;  // [m] of a mesh
-constexpr double kThinnest = 3e-4;               // part of a hull's size
+constexpr double kThinnest = 3e-4;                 // part of a hull's size
 
 const std::vector<std::string> kSolidKinds = {"box", "cylinder", "sphere", "hull", "mesh"};
 
@@ -35,9 +35,10 @@ Hull hull_of(const std::vector<Vector3>& points) {
   if (points.size() > kMany) hull.corners = hull_corners(points);
   if (!spans_a_volume(hull.corners)) return {{}, flat};
   const auto too_many = [](std::size_t count) {
-    return fmt::format("its hull has {} corners: must be at most {}; take fewer points, a coarser mesh, a "
-                       "cylinder or a sphere",
-                       count, SolidHull::kMaxCorners);
+    return fmt::format(
+        "its hull has {} corners: must be at most {}; take fewer points, a coarser mesh, a "
+        "cylinder or a sphere",
+        count, SolidHull::kMaxCorners);
   };
   if (hull.corners.size() > 3 * kMany) return {{}, too_many(hull.corners.size())};
   const ConvexShape shape = convex_body(hull.corners);
@@ -94,8 +95,9 @@ Solids read_mesh_shape(Table& table) {
       }
     const double largest = (high - low).maxCoeff();
     if (!(largest >= kSmallest && largest <= kLargest))
-      return refuse(fmt::format("the mesh is {:.4g} m long in unit = \"{}\": must be {:g} to {:g} m",
-                                largest, units[unit], kSmallest, kLargest));
+      return refuse(
+          fmt::format("the mesh is {:.4g} m long in unit = \"{}\": must be {:g} to {:g} m", largest,
+                      units[unit], kSmallest, kLargest));
     for (const MeshObject& object : objects) {
       const Hull hull = hull_of(object.points);
       if (!hull.problem.empty())
@@ -121,17 +123,17 @@ Uncertain<BodyShape> read_round_or_box(Quantities& in, const std::string& kind) 
   if (kind == "box") {
     shape.set(&BodyShape::size, in.vector_mm("size_mm", Range::positive()));
   } else if (kind == "sphere") {
-    shape.add([radius = in.length_mm("radius_mm", Range::positive())](BodyShape& of_draw,
-                                                                      Sampler& of) {
-      of_draw = sphere_shape(of_draw.center, of(radius));
-    });
+    shape.add(
+        [radius = in.length_mm("radius_mm", Range::positive())](BodyShape& of_draw, Sampler& of) {
+          of_draw = sphere_shape(of_draw.center, of(radius));
+        });
   } else {
-    shape.add([axis = read_axis(in.table()), radius = in.length_mm("radius_mm", Range::positive()),
-               length = in.length_mm("length_mm", Range::positive())](BodyShape& of_draw,
-                                                                      Sampler& of) {
-      const double drawn = of(radius);
-      of_draw = cylinder_shape(of_draw.center, {axis, drawn, of(length)});
-    });
+    shape.add(
+        [axis = read_axis(in.table()), radius = in.length_mm("radius_mm", Range::positive()),
+         length = in.length_mm("length_mm", Range::positive())](BodyShape& of_draw, Sampler& of) {
+          const double drawn = of(radius);
+          of_draw = cylinder_shape(of_draw.center, {axis, drawn, of(length)});
+        });
   }
   return shape;
 }

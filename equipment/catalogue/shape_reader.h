@@ -24,7 +24,8 @@ void read_shape(config::Table& table, std::vector<BodyShape> T::*shape, Uncertai
       for (BodyShape& solid : solids.sample(of)) (of_draw.*shape).push_back(std::move(solid));
     });
   if (tables.empty())
-    table.note("shape", ": must have at least one box or other solid [[" + table.name_of("shape") + "]]");
+    table.note("shape",
+               ": must have at least one box or other solid [[" + table.name_of("shape") + "]]");
 }
 
 }  // namespace gurney::equipment

@@ -265,9 +265,9 @@ std::string urdf_solid(const BodyShape& solid) {
   const Vector3& axis = cylinder->axis;  // pitch, then yaw turn z there
   const std::string turn = fmt::format("0 {} {}", std::atan2(axis.head<2>().norm(), axis.z()),
                                        std::atan2(axis.y(), axis.x()));
-  return shape(solid.center, turn.c_str(),
-               fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", cylinder->radius,
-                           cylinder->length));
+  return shape(
+      solid.center, turn.c_str(),
+      fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", cylinder->radius, cylinder->length));
 }
 
 std::string urdf_joint(const std::string& parent, const std::string& child, const Vector3& origin,

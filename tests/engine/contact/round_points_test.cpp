@@ -53,7 +53,8 @@ FacingPoint nearest_point(const BodyForm& a, const BodyForm& b) {
 const BodyShape kBox{{0, 0, 0}, {0.3, 0.2, 0.5}};
 const BodyShape kSphere = sphere_shape({0, 0, 0}, 0.12);
 const BodyShape kCylinder = cylinder_shape({0, 0, 0}, {Vector3::UnitZ(), 0.1, 0.4});
-const BodyShape kHull = hull_shape({{-0.2, -0.2, -0.1}, {0.3, -0.1, -0.1}, {0, 0.25, -0.1}, {0.05, 0, 0.3}});
+const BodyShape kHull =
+    hull_shape({{-0.2, -0.2, -0.1}, {0.3, -0.1, -0.1}, {0, 0.25, -0.1}, {0.05, 0, 0.3}});
 
 // Two points of two convex bodies are at least as far apart as these are, and a plane between them leaves no
 // more than that: where the points that are found are as far apart as the plane across them leaves, they are
@@ -77,7 +78,7 @@ TEST(RoundPoints, AreAsFarApartAsAPlaneBetweenLeaves) {
             .normalized();
       };
       Vector3 away(uniform(random, -0.6, 0.6), uniform(random, -0.6, 0.6),
-                         uniform(random, -0.6, 0.6));
+                   uniform(random, -0.6, 0.6));
       const Quaternion of_a = turned();
       const BodyForm b = placed(pair.b, turned(), {0, 0, 0});
       BodyForm a = placed(pair.a, of_a, away);
@@ -105,7 +106,8 @@ TEST(RoundPoints, AreAsFarApartAsAPlaneBetweenLeaves) {
 }
 
 TEST(RoundPoints, AStandingCylinderKeepsItsPointsAndATiltedOneRolls) {
-  const BodyForm table = placed({{0, 0, -0.1}, {1, 1, 0.2}}, Quaternion::Identity(), Vector3::Zero());
+  const BodyForm table =
+      placed({{0, 0, -0.1}, {1, 1, 0.2}}, Quaternion::Identity(), Vector3::Zero());
   const auto points = [&](double tilt) {
     const Quaternion turn(Eigen::AngleAxisd(tilt, Vector3(1, 0.3, 0).normalized()));
     std::vector<FacingPoint> found;
@@ -125,14 +127,17 @@ TEST(RoundPoints, AStandingCylinderKeepsItsPointsAndATiltedOneRolls) {
   EXPECT_NEAR(tilted[0].gap, 0.22 - 0.2 * std::cos(0.3) - 0.1 * std::sin(0.3), 1e-12);
   const std::vector<FacingPoint> lying = points(std::numbers::pi / 2);
   ASSERT_EQ(lying.size(), 2u);
-  for (const FacingPoint& point : lying) EXPECT_TRUE(point.rolls_b && std::abs(point.gap - 0.12) < 1e-9);
+  for (const FacingPoint& point : lying)
+    EXPECT_TRUE(point.rolls_b && std::abs(point.gap - 0.12) < 1e-9);
 }
 
 // A standing cylinder half over the edge of a table has what lies on it of its rim, and the ends of the edge.
 TEST(RoundPoints, AnEndOverAnEdgeIsHeldByTheEdge) {
-  const BodyForm table = placed({{0, 0, -0.1}, {1, 1, 0.2}}, Quaternion::Identity(), Vector3::Zero());
+  const BodyForm table =
+      placed({{0, 0, -0.1}, {1, 1, 0.2}}, Quaternion::Identity(), Vector3::Zero());
   std::vector<FacingPoint> found;
-  form_points(table, placed(kCylinder, Quaternion::Identity(), {0.5, 0, 0.2}), Vector3::Zero(), 0.01, found);
+  form_points(table, placed(kCylinder, Quaternion::Identity(), {0.5, 0, 0.2}), Vector3::Zero(),
+              0.01, found);
   double farthest = -1;
   for (const FacingPoint& point : found) {
     EXPECT_NEAR(point.gap, 0, 1e-12);
@@ -145,7 +150,8 @@ TEST(RoundPoints, AnEndOverAnEdgeIsHeldByTheEdge) {
 // its own.
 TEST(UniformSolids, HaveTheirInertia) {
   const double mass = 3;
-  const MassProperties cylinder = uniform_solid(mass, cylinder_shape({1, 2, 3}, {Vector3::UnitX(), 0.1, 0.4}));
+  const MassProperties cylinder =
+      uniform_solid(mass, cylinder_shape({1, 2, 3}, {Vector3::UnitX(), 0.1, 0.4}));
   EXPECT_NEAR(cylinder.inertia(0, 0), mass * 0.01 / 2, 1e-15);
   EXPECT_NEAR(cylinder.inertia(1, 1), mass * (0.03 + 0.16) / 12, 1e-15);
   const MassProperties ball = uniform_solid(mass, sphere_shape({1, 2, 3}, 0.1));

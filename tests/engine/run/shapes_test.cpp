@@ -141,7 +141,8 @@ TEST(Shapes, RollDownASlope) {
     const double friction = 0.5 * slope * each.share / (1 + each.share);
     scene.pairs[0].constants.friction = friction;
     const Response slides = simulate(scene, {}, blocks::run_for(duration, 0.002, 0.1));
-    const double slid = -0.5 * kGravity * (std::sin(angle) - friction * std::cos(angle)) * duration * duration;
+    const double slid =
+        -0.5 * kGravity * (std::sin(angle) - friction * std::cos(angle)) * duration * duration;
     EXPECT_NEAR(moved(scene, 0, slides.items[0].history.back()).x(), slid, 1e-3 * std::abs(slid))
         << each.name;
   }
@@ -207,7 +208,8 @@ BodyShape hexagon(double radius, double height) {
   std::vector<Vector3> points;
   for (int i = 0; i < 6; ++i)
     for (const double z : {0.0, height})
-      points.emplace_back(radius * std::cos(kPi / 6 + kPi / 3 * i), radius * std::sin(kPi / 6 + kPi / 3 * i), z);
+      points.emplace_back(radius * std::cos(kPi / 6 + kPi / 3 * i),
+                          radius * std::sin(kPi / 6 + kPi / 3 * i), z);
   return hull_shape(points);
 }
 
@@ -248,7 +250,9 @@ TEST(Shapes, SpheresExchangeVelocityAlongTheirLine) {
   const Vector2 line(std::cos(kPi / 6), 0.5);
   const Vector2 hit = r.items[1].history.back().velocity.head<2>();
   EXPECT_LT((hit - line * line.x()).norm(), 0.01);
-  EXPECT_LT((r.items[0].history.back().velocity.head<2>() - (Vector2(1, 0) - line * line.x())).norm(), 0.01);
+  EXPECT_LT(
+      (r.items[0].history.back().velocity.head<2>() - (Vector2(1, 0) - line * line.x())).norm(),
+      0.01);
 }
 
 // Two bottles beside each other: upright they touch along a line, thrown together they part again, and a
