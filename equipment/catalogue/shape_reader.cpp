@@ -31,8 +31,14 @@ struct Hull {
 
 Hull hull_of(const std::vector<Vector3>& points) {
   const std::string flat = "the points span no volume: they lie in a plane, or nearly so";
-  Hull hull{points, ""};
-  if (points.size() > kMany) hull.corners = hull_corners(points);
+  Hull hull;
+  if (points.size() > kMany) {
+    hull.corners = hull_corners(points);
+  } else {
+    for (const Vector3& point : points)  // of a mesh, each as often as it is in triangles
+      if (std::ranges::find(hull.corners, point) == hull.corners.end())
+        hull.corners.push_back(point);
+  }
   if (!spans_a_volume(hull.corners)) return {{}, flat};
   const auto too_many = [](std::size_t count) {
     return fmt::format(

@@ -105,7 +105,7 @@ TEST_F(ShapesFile, SayWhatIsWrongAndWhere) {
   EXPECT_THAT(error("[[shape]]\nkind = \"cilinder\"\n"),
               AllOf(HasSubstr("12:8: shape[0].kind = \"cilinder\""), HasSubstr("cylinder")));
   EXPECT_THAT(error("[[shape]]\nkind = \"sphere\"\ncenter_mm = [0, 0, 50]\nradius_mm = 0\n"),
-              HasSubstr("14:13: shape[0].radius_mm = 0: must be > 0"));
+              HasSubstr("14:13: shape[0].radius_mm = 0: must be a finite number > 0"));
   EXPECT_THAT(error("[[shape]]\nkind = \"sphere\"\ncenter_mm = [0, 0, 50]\nradius_mm = 50\nsize_mm "
                     "= [1, 1, 1]\n"),
               HasSubstr("size_mm: unknown key"));
