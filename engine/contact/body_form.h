@@ -31,8 +31,8 @@ double lowest(const BodyForm& form, const Vector3& direction);
 
 /// Appends where two forms face each other with a gap of at most `margin`: convex_points of two
 /// polyhedra, column_points of a polyhedron and a cylinder. A sphere meets everything in the point
-/// nearest to its middle. Two cylinders meet side to side along a line or in a point; where the rim of
-/// one is nearest, that one is a prism of 32 sides.
+/// nearest to its middle. Two cylinders meet side to side along a line or in a point; where a rim of a
+/// body meets an edge or another rim, it is that of a prism of 32 sides.
 ///
 /// @param motion  displacement of a relative to b until one asks again [m]
 void form_points(const BodyForm& a, const BodyForm& b, const Vector3& motion, double margin,
