@@ -169,7 +169,7 @@ class PaperModel : public StockModel {
 
   void add_boxes(const EquipmentModel& item, const Vector3& center) {
     auto& all = static_cast<btCompoundShape&>(*chassis_.shape);
-    for (const Box& box : item.shape) {
+    for (const BodyShape& box : item.shape) {
       boxes_.push_back(std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size))));
       all.addChildShape(chassis_.frame(box.center - center, Quaternion::Identity()),
                         boxes_.back().get());

@@ -52,6 +52,10 @@ Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
           "the stock Bullet baselines know one item on casters, no tethers and zones, and of rooms "
           "boxes only (the paper's model none); use solver = \"implicit\" for this job");
   const PlacedItem& item = scene.items.front();
+  require(
+      std::ranges::all_of(item.model.shape, &BodyShape::is_box),
+      "the stock Bullet baselines know items of boxes only, no cylinders, spheres and hulls; use "
+      "solver = \"implicit\" for this job");
   require(is_free(item.fixture) && loads_of<DropWeight>(item.loads).empty() &&
               loads_of<Blocks>(item.loads).empty(),
           "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "

@@ -62,7 +62,7 @@ MultibodyItem::MultibodyItem(const EquipmentModel& model, const Mechanism& mecha
   world_.addMultiBody(body_.get());
 
   auto boxes = std::make_unique<btCompoundShape>();
-  for (const Box& box : model.shape) {
+  for (const BodyShape& box : model.shape) {
     auto shape = std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size)));
     shape->setMargin(0.001);
     shape->initializePolyhedralFeatures();  // whole faces of contact with boxes of the room

@@ -8,6 +8,7 @@
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
 
 #include <optional>
 #include <utility>
@@ -52,6 +53,24 @@ std::unique_ptr<btCollisionShape> shape_of(const RoomColumn& column) {
 }
 
 std::unique_ptr<btCollisionShape> shape_of(const RoomHull& points) { return hull(points.points); }
+
+std::unique_ptr<btCollisionShape> shape_of(const BodyShape& body) {
+  if (const auto* cylinder = std::get_if<SolidCylinder>(&body.solid))
+    return shape_of(RoomColumn{cylinder->radius, cylinder->length});
+  if (const auto* sphere = std::get_if<SolidSphere>(&body.solid))
+    return std::make_unique<btSphereShape>(sphere->radius);
+  if (const auto* points = std::get_if<SolidHull>(&body.solid)) return hull(points->corners);
+  auto box = std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * body.size)));
+  box->setMargin(0.001);
+  return box;
+}
+
+/// Turns Bullet's cylinder, whose axis is z.
+btQuaternion axes_of(const BodyShape& body) {
+  const auto* cylinder = std::get_if<SolidCylinder>(&body.solid);
+  if (cylinder == nullptr) return btQuaternion::getIdentity();
+  return to_bullet(Quaternion::FromTwoVectors(Vector3::UnitZ(), cylinder->axis));
+}
 
 /// An item in the middle of a step that begins at `start`.
 State middle_of_step(const State& start, double step) {
@@ -99,7 +118,7 @@ class WheelSearch::World {
     std::optional<BodyContact::Side> body;  ///< none: of the room
     int other = 0;                          ///< of the room: BodyContact::other
     std::unique_ptr<btCollisionShape> shape;
-    std::vector<std::unique_ptr<btCollisionShape>> boxes;  ///< of a chassis
+    std::vector<std::unique_ptr<btCollisionShape>> shapes;  ///< of a chassis
     btCollisionObject object;
 
     bool is_wheel() const { return body && body->caster >= 0; }
@@ -123,16 +142,14 @@ class WheelSearch::World {
   void add_item(const EquipmentModel& model, std::size_t item) {
     auto chassis = std::make_unique<Part>();
     chassis->body = BodyContact::Side{item, -1};
-    auto boxes = std::make_unique<btCompoundShape>();
-    for (const Box& box : model.shape) {
-      auto shape = std::make_unique<btBoxShape>(to_bullet(Vector3(0.5 * box.size)));
-      shape->setMargin(0.001);
-      const Vector3 center = box.center - assembly_.items[item].chassis.center_of_mass;
-      boxes->addChildShape(btTransform(btQuaternion::getIdentity(), to_bullet(center)),
-                           shape.get());
-      chassis->boxes.push_back(std::move(shape));
+    auto compound = std::make_unique<btCompoundShape>();
+    for (const BodyShape& body : model.shape) {
+      const Vector3 center = body.center - assembly_.items[item].chassis.center_of_mass;
+      auto shape = shape_of(body);
+      compound->addChildShape(btTransform(axes_of(body), to_bullet(center)), shape.get());
+      chassis->shapes.push_back(std::move(shape));
     }
-    chassis->shape = std::move(boxes);
+    chassis->shape = std::move(compound);
     add(std::move(chassis), kChassis, kWheels);
     for (std::size_t i = 0; i < model.casters.size(); ++i) {
       const Caster& c = model.casters[i];

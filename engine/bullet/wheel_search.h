@@ -11,7 +11,8 @@ namespace gurney {
 /// Finds the contacts of wheels with the room and with other items, by Bullet's broad and narrow
 /// phase: kerbs, thresholds, columns, other wheels and chassis.
 ///
-/// Wheels are cylinders, chassis compounds of boxes, shapes of the room convex hulls or cylinders.
+/// Wheels are cylinders, chassis compounds of boxes, cylinders, spheres and hulls, shapes of the room
+/// convex hulls or cylinders.
 /// Bullet's normal of a wheel before a polyhedron is where WheelObstacle starts from; that of other
 /// pairs is the contact's. Bullet's world is built when it is first asked: most runs need none.
 class WheelSearch {

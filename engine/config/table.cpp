@@ -127,6 +127,26 @@ Vector3 Table::vector(const std::string& key, const Range& range, std::optional<
   return Vector3(values[0], values[1], values[2]);
 }
 
+std::vector<Vector3> Table::vectors(const std::string& key, const Range& range) {
+  const std::string allowed = "an array of arrays of 3 numbers";
+  const Node* node = required(key, false, allowed);
+  if (node == nullptr) return {};
+  std::vector<Vector3> list;
+  bool right = node->kind == Node::Kind::kArray;
+  for (std::size_t i = 0; right && i < node->elements.size(); ++i) {
+    const Node& each = node->elements[i];
+    each.read = true;
+    right = each.kind == Node::Kind::kArray && each.elements.size() == 3;
+    Vector3& vector = list.emplace_back(Vector3::Zero());
+    for (int k = 0; right && k < 3; ++k)
+      read_number(each.elements[static_cast<std::size_t>(k)], fmt::format("{}[{}][{}]", key, i, k),
+                  range, vector[k]);
+  }
+  if (right) return list;
+  note_value(*node, key, allowed);
+  return {};
+}
+
 std::optional<Table> Table::table(const std::string& key) {
   const Node* node = find(key);
   if (node == nullptr) return {};

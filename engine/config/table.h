@@ -35,6 +35,9 @@ class Table {
   std::vector<std::string> texts(const std::string& key, bool may_be_empty = false);
   Vector3 vector(const std::string& key, const Range& range, std::optional<Vector3> fallback = {});
 
+  /// An array of arrays of three numbers.
+  std::vector<Vector3> vectors(const std::string& key, const Range& range);
+
   /// A sub-table, if it is there.
   std::optional<Table> table(const std::string& key);
 

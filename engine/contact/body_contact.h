@@ -16,12 +16,23 @@ struct BodyContact {
     /// Chassis: chassis axes, relative to its centre; wheel: fork axes, relative to the mount (the
     /// point does not turn with the axle).
     Vector3 local = Vector3::Zero();
-    /// Direction of a tread before a plane: against the plane's normal, unit, floor axes. The point is where
-    /// the tread is farthest this way, however the wheel turns, and `local` where that was when the
-    /// contact was found. Zero: the point is `local`.
+    /// Direction of a tread or a round chassis before a plane: against the plane's normal, unit, floor
+    /// axes. The point is where the tread, or the side of the chassis' shape `round`, is farthest this
+    /// way, however the body turns, and `local` where that was when the contact was found. Zero: the
+    /// point is `local`.
     Vector3 outwards = Vector3::Zero();
+    int round = -1;  ///< of the chassis: index in EquipmentModel::shape
 
     bool same_body(const Side& b) const { return item == b.item && caster == b.caster; }
+    /// Whether both are the same point at two times. 1e-6 m of a point and 1e-9 of a normal are the
+    /// rounding of their construction; a round body rolls, but its lowest point does not jump.
+    bool same_point(const Side& b) const {
+      constexpr double kJump = 0.02;  // [m]
+      const double moved = (local - b.local).norm();
+      if (outwards.isZero()) return moved < 1e-6;
+      return (outwards - b.outwards).norm() < 1e-9 && round == b.round &&
+             (round < 0 || moved < kJump);
+    }
   };
   static constexpr int kItem = -1;
 
@@ -33,14 +44,10 @@ struct BodyContact {
                       ///< two items: gap = normal . (point - other point) - offset [m]
 
   bool between_items() const { return other == kItem; }
-  /// Whether both are the same point before the same plane at two times. 1e-6 m of a point and
-  /// 1e-9 of a normal are the rounding of their construction.
+  /// Whether both are the same point before the same plane at two times.
   bool same_place(const BodyContact& b) const {
-    const bool same_point = side.outwards.isZero()
-                                ? (side.local - b.side.local).norm() < 1e-6
-                                : (side.outwards - b.side.outwards).norm() < 1e-9;
-    return same_point && (normal - b.normal).norm() < 1e-9 &&
-           (other_side.local - b.other_side.local).norm() < 1e-6;
+    return side.same_point(b.side) && (normal - b.normal).norm() < 1e-9 &&
+           other_side.same_point(b.other_side);
   }
   /// Whether both may be the same contact at two times: points of one pair of bodies.
   bool same_pair(const BodyContact& b) const {

@@ -13,23 +13,17 @@ enum Kind { kFace, kEdge };
 
 /// An axis nearer to the column's than 45 degrees meets an end.
 constexpr double kEnd = std::numbers::sqrt2 / 2;
-constexpr int kRimPoints = 16;
+constexpr int kRimPoints = 16;       // of a column at rest
+constexpr double kSamePoint = 1e-6;  // [m]
 /// Edges that lean less against the column are along it: sine of the angle.
 constexpr double kAlong = 1e-3;
 constexpr double kParallel = 1e-6;
 
-Vector3 across_axis(const Cylinder& column, const Vector3& v) {
-  return v - column.axis.dot(v) * column.axis;
-}
-
-double lowest(const Cylinder& column, const Vector3& direction) {
-  return direction.dot(column.center) - column.half_height * std::abs(direction.dot(column.axis)) -
-         column.radius * across_axis(column, direction).norm();
-}
+Vector3 across_axis(const Cylinder& column, const Vector3& v) { return column.across(v); }
 
 bool choose_axis(const ConvexShape& a, const Cylinder& b, AxisChoice& choice) {
   const auto consider = [&](const Vector3& normal, double handicap, Kind kind) {
-    return choice.consider(normal, a.lowest(normal) + lowest(b, -normal), handicap, kind);
+    return choice.consider(normal, a.lowest(normal) + b.lowest(-normal), handicap, kind);
   };
   for (const Vector3& end : {b.axis, Vector3(-b.axis)})
     if (!consider(end, 0, kFace)) return false;
@@ -58,6 +52,11 @@ SurfacePiece facing(const Cylinder& column, const Vector3& direction) {
   const Vector3 up = column.half_height * column.axis, side = column.radius * out;
   if (std::abs(along) <= kEnd) return {{column.center + side - up, column.center + side + up}, out};
   SurfacePiece end{{}, std::copysign(1.0, along) * column.axis};
+  if (!column.rim.isZero()) {
+    const auto rim = column.rim_points(along > 0 ? 1 : -1);
+    end.outline.assign(rim.begin(), rim.end());
+    return end;
+  }
   const Vector3 other = end.normal.cross(side);
   for (int k = 0; k < kRimPoints; ++k) {
     const double angle = 2 * std::numbers::pi * k / kRimPoints;
@@ -124,7 +123,48 @@ void edge_points(const Edge& edge, const Cylinder& b, const Vector3& shift, doub
   }
 }
 
+/// What lies on an end of a body that moves: the points it keeps while it stands nearly flat, and its
+/// lowest point once it is tilted.
+void end_points(const SurfacePiece& a, const Cylinder& b, const Vector3& normal,
+                const Vector3& shift, double margin, std::vector<FacingPoint>& points) {
+  const SurfacePiece end = facing(b, normal);
+  const std::size_t before = points.size();
+  facing_points(a, end, normal, shift, margin, points);
+  const Vector3 out = b.across(normal);
+  const double tilt = out.norm();
+  const auto is_of_rim = [&](const FacingPoint& point) {
+    return std::ranges::any_of(end.outline, [&](const Vector3& corner) {
+      return (point.on_b - corner).norm() < kSamePoint;
+    });
+  };
+  if (tilt >= Cylinder::kFlat)
+    points.erase(std::remove_if(points.begin() + static_cast<std::ptrdiff_t>(before), points.end(),
+                                is_of_rim),
+                 points.end());
+  if (tilt < Cylinder::kTilted) return;
+  const Vector3 lowest = b.center + b.half_height * end.normal + (b.radius / tilt) * out;
+  const std::size_t kept = points.size();
+  facing_points(a, {{lowest}, end.normal}, normal, shift, margin, points);
+  for (std::size_t i = kept; i < points.size(); ++i) points[i].rolls_b = true;
+}
+
 }  // namespace
+
+double Cylinder::lowest(const Vector3& direction) const {
+  return direction.dot(center) - half_height * std::abs(direction.dot(axis)) -
+         radius * across(direction).norm();
+}
+
+std::array<Vector3, Cylinder::kRimPoints> Cylinder::rim_points(int end) const {
+  const Vector3 outwards = end * axis, middle = center + half_height * outwards;
+  const Vector3 other = outwards.cross(rim);
+  std::array<Vector3, kRimPoints> points;
+  for (std::size_t k = 0; k < kRimPoints; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kRimPoints;
+    points[k] = middle + radius * (std::cos(angle) * rim + std::sin(angle) * other);
+  }
+  return points;
+}
 
 void column_points(const ConvexShape& a, const Cylinder& b, const Vector3& motion, double margin,
                    std::vector<FacingPoint>& points) {
@@ -132,11 +172,17 @@ void column_points(const ConvexShape& a, const Cylinder& b, const Vector3& motio
   if (!choose_axis(a, b, choice)) return;
   const Vector3& normal = choice.normal();
   const Vector3 shift = choice.shift();
-  if (choice.kind() == kFace) {
-    facing_points(a.facing(-normal), facing(b, normal), normal, shift, margin, points);
-  } else {
+  const bool moves = !b.rim.isZero();
+  const std::size_t before = points.size();
+  if (choice.kind() == kEdge) {
     edge_points(leading_edge(a, normal, b), b, shift, margin, points);
+  } else if (moves && std::abs(b.axis.dot(normal)) > kEnd) {
+    return end_points(a.facing(-normal), b, normal, shift, margin, points);
+  } else {
+    facing_points(a.facing(-normal), facing(b, normal), normal, shift, margin, points);
   }
+  if (moves)
+    for (std::size_t i = before; i < points.size(); ++i) points[i].rolls_b = true;
 }
 
 }  // namespace gurney

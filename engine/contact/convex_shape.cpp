@@ -18,8 +18,9 @@ namespace {
 constexpr double kFlat = 5e-4;
 /// ... but not more than this part of its size.
 constexpr double kFlatPart = 1e-3;
-constexpr double kExact = 1e-9;     // part of a box's size
-constexpr double kParallel = 1e-9;  // sine of the angle
+constexpr double kFlatOfBody = 1e-4;  // part of its size
+constexpr double kExact = 1e-9;       // part of a box's size
+constexpr double kParallel = 1e-9;    // sine of the angle
 /// Corners this near to the outermost one touch with it [m].
 constexpr double kSameLevel = 1e-6;
 /// A face that turns its edge faces nothing: cosine of the angle.
@@ -180,6 +181,20 @@ ConvexShape convex_box(const Vector3& center, const Vector3& size) {
 
 ConvexShape convex_hull(const std::vector<Vector3>& points) {
   return hull_of(points, std::min(kFlat, kFlatPart * spread_of(points)));
+}
+
+ConvexShape convex_body(const std::vector<Vector3>& points) {
+  return hull_of(points, kFlatOfBody * spread_of(points));
+}
+
+std::vector<Vector3> corners_of(const ConvexShape& shape) {
+  std::vector<bool> taken(shape.corners.size(), false);
+  for (const ConvexShape::Face& face : shape.faces)
+    for (int i : face.loop) taken[static_cast<std::size_t>(i)] = true;
+  std::vector<Vector3> corners;
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (taken[i]) corners.push_back(shape.corners[i]);
+  return corners;
 }
 
 }  // namespace gurney

@@ -11,6 +11,8 @@ struct FacingPoint {
   Vector3 on_a, on_b;  ///< on the surfaces [m]
   Vector3 normal;      ///< unit, towards a
   double gap;          ///< normal . (on_a - on_b): the bodies overlap where it is negative [m]
+  /// Whether the point is where a round body reaches farthest, however it turns.
+  bool rolls_a = false, rolls_b = false;
 };
 
 /// A plane piece of a surface: a convex polygon, counterclockwise seen from outside, or a segment.

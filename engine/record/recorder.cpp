@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "engine/solver/quadrature.h"
 
@@ -12,6 +13,16 @@ namespace {
 double yaw_of(const Matrix3& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); }
 
 double tilt_of(const Matrix3& rotation) { return std::acos(std::clamp(rotation(2, 2), -1.0, 1.0)); }
+
+/// Axis of a chassis that is one cylinder, zero of one that is a sphere: a body that rolls does not
+/// overturn.
+std::optional<Vector3> axis_of_roller(const EquipmentModel& model) {
+  if (model.shape.size() != 1) return {};
+  if (const auto* cylinder = std::get_if<SolidCylinder>(&model.shape[0].solid))
+    return cylinder->axis;
+  if (std::holds_alternative<SolidSphere>(model.shape[0].solid)) return Vector3::Zero();
+  return {};
+}
 
 double horizontal(const Vector3& v) { return v.head<2>().norm(); }
 
@@ -66,7 +77,8 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   sampled_ = checked_ = EnergyBalance(stored_start_, least_energy(assembly, item));
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
-  current_.tilt = demands_.peak_tilt = tilt_of(rotation);
+  roller_ = axis_of_roller(model);
+  current_.tilt = demands_.peak_tilt = lean_of(rotation);
   current_.orientation = start.rotation;
   current_.cable_tension = mechanism.loads.cable_tension(start.loads);
   current_.pull_force =
@@ -89,6 +101,12 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   }
 }
 
+double Recorder::lean_of(const Matrix3& rotation) const {
+  if (!roller_) return tilt_of(rotation);
+  const double from = std::acos(std::clamp(roller_->z(), -1.0, 1.0));
+  return std::abs(std::acos(std::clamp((rotation * *roller_).z(), -1.0, 1.0)) - from);
+}
+
 void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impacts) {
   const State& to = step.to->items[item_];
   const Matrix3 rotation = to.rotation.toRotationMatrix();
@@ -103,7 +121,7 @@ void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impact
   const double yaw = yaw_of(rotation);
   yaw_ += std::remainder(yaw - yaw_, 2 * std::numbers::pi);
   current_.yaw = yaw_ - yaw_start_;
-  current_.tilt = tilt_of(rotation);
+  current_.tilt = lean_of(rotation);
   current_.orientation = to.rotation;
 
   Demands& d = demands_;

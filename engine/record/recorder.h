@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ class Recorder {
               Response& response);
 
  private:
+  /// Tilt of the item; of one cylinder that of its axis from where it was, of a sphere none [rad].
+  double lean_of(const Matrix3& rotation) const;
   EnergyAccount complete(const SceneState& state, const EnergyAccount& account) const;
   void observe_wheels(const Stepper::Step& step);
   void observe_lift(const Stepper::Step& step);
@@ -59,6 +62,7 @@ class Recorder {
   std::vector<Vector3> points_;  // marked points relative to the chassis' centre, chassis axes
   std::vector<Vector3> point_starts_;
   std::vector<double> trails_;
+  std::optional<Vector3> roller_;  // axis of a body that rolls, zero of a sphere; chassis axes
   struct Gap {
     double height = 0;  // of the tread above the floor [m]
     double rate = 0;    // [m/s]

@@ -1,7 +1,6 @@
 #include "engine/record/zone_log.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,7 +13,7 @@ namespace {
 /// The hull's part in the strip |x| <= l is spanned by the points in it and by where the segments
 /// between any two points cross x = +-l.
 template <typename Span>
-Span across(const std::array<Vector2, 8>& points, double half_length) {
+Span across(const std::vector<Vector2>& points, double half_length) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Span span{kFar, -kFar};
   const auto add = [&](double y) {
@@ -42,14 +41,10 @@ Span across(const std::array<Vector2, 8>& points, double half_length) {
 
 ZoneLog::ZoneLog(const Scene& scene, const Assembly& assembly) : zones_(scene.zones) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
-    auto& corners = boxes_.emplace_back();
-    for (const Box& box : scene.items[i].model.shape) {
-      std::array<Vector3, 8>& of_box = corners.emplace_back();
-      for (std::size_t k = 0; k < 8; ++k) {
-        const Vector3 side(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-        of_box[k] = box.center + 0.5 * side.cwiseProduct(box.size) -
-                    assembly.items[i].chassis.center_of_mass;
-      }
+    auto& outlines = outlines_.emplace_back();
+    for (const BodyShape& shape : scene.items[i].model.shape) {
+      std::vector<Vector3>& points = outlines.emplace_back(outline_points(shape));
+      for (Vector3& point : points) point -= assembly.items[i].chassis.center_of_mass;
     }
   }
   for (const Zone& zone : zones_) {
@@ -73,13 +68,13 @@ void ZoneLog::observe(double time, double duration, const SceneState& state) {
     const Zone& zone = zones_[z];
     const Matrix2 to_zone = Eigen::Rotation2Dd(-zone.angle).toRotationMatrix();
     std::vector<Span> taken;
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      for (const auto& corners : boxes_[i]) {
-        std::array<Vector2, 8> points;
-        for (std::size_t k = 0; k < 8; ++k) {
-          const Vector3 corner = state.items[i].position + state.items[i].rotation * corners[k];
-          const Vector2 from_center = corner.head<2>() - zone.center;
-          points[k] = to_zone * from_center;
+    for (std::size_t i = 0; i < outlines_.size(); ++i)
+      for (const std::vector<Vector3>& outline : outlines_[i]) {
+        std::vector<Vector2> points;
+        for (const Vector3& point : outline) {
+          const Vector3 there = state.items[i].position + state.items[i].rotation * point;
+          const Vector2 from_center = there.head<2>() - zone.center;
+          points.push_back(to_zone * from_center);
         }
         const Span span = across<Span>(points, 0.5 * zone.length);
         if (span.low < 0.5 * zone.width && span.high > -0.5 * zone.width) taken.push_back(span);

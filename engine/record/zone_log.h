@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "engine/response/response.h"
@@ -25,7 +24,7 @@ class ZoneLog {
   double free_width(const Zone& zone, std::vector<Span> taken) const;
 
   std::vector<Zone> zones_;
-  std::vector<std::vector<std::array<Vector3, 8>>> boxes_;  // corners, of each item
+  std::vector<std::vector<std::vector<Vector3>>> outlines_;  // of the shapes of each item
   std::vector<ZoneOutcome> outcomes_;
 };
 

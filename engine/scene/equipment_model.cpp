@@ -58,6 +58,23 @@ void check_caster(const Caster& caster, Problems& problems) {
   check_tread(caster.tread, problems);
 }
 
+void check_shape(const BodyShape& shape, std::size_t i, Problems& problems) {
+  problems.finite(fmt::format("shape[{}].center", i), shape.center);
+  if (!(shape.size.minCoeff() > 0 && shape.size.allFinite()))
+    problems.add(fmt::format("shape[{}].size = ({}, {}, {}): each must be > 0 and finite", i,
+                             shape.size.x(), shape.size.y(), shape.size.z()));
+  if (const auto* cylinder = std::get_if<SolidCylinder>(&shape.solid)) {
+    problems.positive(fmt::format("shape[{}].radius", i), cylinder->radius);
+    problems.positive(fmt::format("shape[{}].length", i), cylinder->length);
+    problems.check(std::abs(cylinder->axis.norm() - 1) < kRelativeTolerance,
+                   fmt::format("norm of shape[{}].axis", i), cylinder->axis.norm(), "1");
+  } else if (const auto* hull = std::get_if<SolidHull>(&shape.solid)) {
+    problems.check(hull->corners.size() <= SolidHull::kMaxCorners && spans_a_volume(hull->corners),
+                   fmt::format("shape[{}]: a hull has 4 to {} points that span a volume", i,
+                               SolidHull::kMaxCorners));
+  }
+}
+
 Matrix3 about_z(double angle) {
   return Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix();
 }
@@ -110,14 +127,8 @@ void validate(const EquipmentModel& item) {
   problems.positive("chassis_mass", item.chassis_mass);
   problems.finite("chassis_center_of_mass", item.chassis_center_of_mass);
   problems.inertia("chassis_inertia", item.chassis_inertia, true);
-  if (item.shape.empty()) problems.add("shape has no box: 1 or more are needed");
-  for (std::size_t i = 0; i < item.shape.size(); ++i) {
-    const Box& box = item.shape[i];
-    problems.finite(fmt::format("shape[{}].center", i), box.center);
-    if (!(box.size.minCoeff() > 0 && box.size.allFinite()))
-      problems.add(fmt::format("shape[{}].size = ({}, {}, {}): each must be > 0 and finite", i,
-                               box.size.x(), box.size.y(), box.size.z()));
-  }
+  if (item.shape.empty()) problems.add("shape has no box or other solid: 1 or more are needed");
+  for (std::size_t i = 0; i < item.shape.size(); ++i) check_shape(item.shape[i], i, problems);
   const std::size_t casters = item.casters.size();
   if (casters > EquipmentModel::kMaxCasters)
     problems.add(fmt::format("{} casters: must be 0 to {}", casters, EquipmentModel::kMaxCasters));

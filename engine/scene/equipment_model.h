@@ -4,15 +4,10 @@
 #include <vector>
 
 #include "engine/base/vector.h"
+#include "engine/scene/body_shape.h"
 
 /// Plain description of one item of equipment, in item axes (engine/base/vector.h), SI units.
 namespace gurney {
-
-/// Axis-aligned box in item axes.
-struct Box {
-  Vector3 center = Vector3::Zero();  ///< [m]
-  Vector3 size = Vector3::Zero();    ///< full edge lengths, > 0 [m]
-};
 
 /// A mass fixed to the chassis.
 struct Payload {
@@ -75,8 +70,8 @@ struct Caster {
   double swivel_lock_torque = 0;   ///< on the swivel; 0: free; infinite: never slips [N m]
 };
 
-/// One item: a rigid chassis with payloads on up to 8 casters; without casters the lowest faces of
-/// its boxes stand on the floor.
+/// One item: a rigid chassis with payloads on up to 8 casters; without casters the lowest of its
+/// shapes stand on the floor.
 struct EquipmentModel {
   static constexpr std::size_t kMaxCasters = 8;
   static constexpr std::size_t kMaxTethers = 32;
@@ -85,7 +80,7 @@ struct EquipmentModel {
   double chassis_mass = 0;                           ///< without payloads and casters, > 0 [kg]
   Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]
   Matrix3 chassis_inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
-  std::vector<Box> shape;                            ///< collision shape of the chassis, 1 or more
+  std::vector<BodyShape> shape;                      ///< collision shape of the chassis, 1 or more
   std::string material;                              ///< of the chassis: see Scene::pairs
   std::vector<Payload> payloads;
   std::vector<Caster> casters;  ///< 0 to 8

@@ -5,19 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include "engine/base/linear_algebra.h"
 #include "engine/scene/problems.h"
 
 namespace gurney {
 namespace {
-
-bool spans_a_volume(const std::vector<Vector3>& points) {
-  if (points.size() < 4) return false;
-  Eigen::Matrix3Xd spread(3, points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    spread.col(static_cast<Eigen::Index>(i)) = points[i] - points[0];
-  return spread.allFinite() && rank(spread) == 3;
-}
 
 void check_shape(const RoomShape& shape, Problems& problems) {
   const std::string owner = "room shape '" + shape.name + "': ";

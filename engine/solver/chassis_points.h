@@ -1,15 +1,13 @@
 #pragma once
 
-#include <variant>
 #include <vector>
 
-#include "engine/contact/column_points.h"
-#include "engine/contact/convex_shape.h"
+#include "engine/contact/body_form.h"
 #include "engine/solver/travel.h"
 
 namespace gurney {
 
-/// Where the boxes of the chassis may touch the shapes of the room and each other: analytic, like
+/// Where the shapes of the chassis may touch the shapes of the room and each other: analytic, like
 /// the corners on the floor, and known before they touch.
 ///
 /// Bullet reports one edge point of two boxes until they overlap by 0.1 mm, so a face that lands
@@ -29,13 +27,20 @@ class ChassisPoints {
 
  private:
   struct Obstacle {
-    int other;                                  // BodyContact::other
-    std::variant<ConvexShape, Cylinder> shape;  // floor axes
+    int other;      // BodyContact::other
+    BodyForm form;  // floor axes
     Vector3 center;
     double reach;  // of any of its points from there [m]
   };
-  struct PlacedBox {
-    ConvexShape shape;  // floor axes
+  /// A shape of a chassis, in chassis axes.
+  struct Body {
+    BodyForm form;
+    Vector3 center;
+    double reach;
+    bool is_box, is_round;
+  };
+  struct PlacedBody {
+    BodyForm form;  // floor axes
     Vector3 center = Vector3::Zero(), velocity = Vector3::Zero();
     double reach = 0;
     bool is_now = false;  // of the state that is searched
@@ -51,19 +56,21 @@ class ChassisPoints {
     double step, margin;
     std::vector<BodyContact>& contacts;
   };
-  static double gap_of(const PlacedBox& box, const Obstacle& obstacle);
-  static double gap_of(const PlacedBox& a, const PlacedBox& b);
-  const PlacedBox& placed(std::size_t item, std::size_t box, const State& state);
+  static double gap_of(const PlacedBody& body, const Obstacle& obstacle);
+  static double gap_of(const PlacedBody& a, const PlacedBody& b);
+  const PlacedBody& placed(std::size_t item, std::size_t shape, const State& state);
+  BodyContact::Side side(std::size_t item, std::size_t shape, const State& state,
+                         const Vector3& point, bool rolls, const Vector3& outwards) const;
   void against_room(std::size_t item, const Search& search);
   void between(std::size_t a, std::size_t b, const Search& search);
 
   const Assembly& assembly_;
-  std::vector<std::vector<ConvexShape>> boxes_;  // chassis axes, of each item
-  std::vector<double> reach_;                    // of each chassis
+  std::vector<std::vector<Body>> bodies_;  // of each item
+  std::vector<double> reach_;              // of each chassis
   std::vector<Obstacle> obstacles_;
-  std::vector<std::vector<PlacedBox>> placed_;     // as boxes_
-  std::vector<std::vector<Clearance>> from_room_;  // of each item: boxes x obstacles
-  std::vector<std::vector<PairClearance>> pairs_;  // of each pair of items: boxes x boxes
+  std::vector<std::vector<PlacedBody>> placed_;    // as bodies_
+  std::vector<std::vector<Clearance>> from_room_;  // of each item: bodies x obstacles
+  std::vector<std::vector<PairClearance>> pairs_;  // of each pair of items: bodies x bodies
 };
 
 }  // namespace gurney

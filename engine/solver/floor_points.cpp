@@ -23,12 +23,35 @@ bool some_wheel_may_lie(const State& state) {
 
 FloorPoints::FloorPoints(const EquipmentModel& model, const Mechanism& mechanism, std::size_t item)
     : mechanism_(mechanism), item_(item) {
-  for (const Box& box : model.shape)
-    for (int k = 0; k < 8; ++k) {
-      const Vector3 side(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-      corners_.push_back(box.center + 0.5 * side.cwiseProduct(box.size) -
-                         mechanism.chassis.center_of_mass);
+  const Vector3& center = mechanism.chassis.center_of_mass;
+  for (std::size_t k = 0; k < model.shape.size(); ++k) {
+    const BodyShape& shape = model.shape[k];
+    if (mechanism.surfaces[k].radius > 0) {
+      rounds_.push_back({static_cast<int>(k), body_form(shape, center)});
+      continue;
     }
+    for (const Vector3& corner : outline_points(shape)) corners_.push_back(corner - center);
+  }
+}
+
+void FloorPoints::add_points(const Round& round, const Matrix3& rotation,
+                             std::vector<BodyContact::Side>& sides) const {
+  const Vector3 down = -rotation.row(2).transpose();  // chassis axes
+  const auto add_lowest = [&](const Vector3& local) {
+    sides.push_back({item_, -1, local, -Vector3::UnitZ(), round.shape});
+  };
+  if (const auto* sphere = std::get_if<Sphere>(&round.form))
+    return add_lowest(sphere->center + sphere->radius * down);
+  const auto& cylinder = std::get<Cylinder>(round.form);
+  const Vector3 out = cylinder.across(down);
+  const double tilt = out.norm();
+  for (const int end : {-1, 1}) {
+    if (tilt < Cylinder::kFlat && end * cylinder.axis.dot(down) > 0)
+      for (const Vector3& point : cylinder.rim_points(end)) sides.push_back({item_, -1, point});
+    if (tilt >= Cylinder::kTilted)
+      add_lowest(cylinder.center + end * cylinder.half_height * cylinder.axis +
+                 (cylinder.radius / tilt) * out);
+  }
 }
 
 void FloorPoints::collect(const State& state, const Travel& travel, double margin,
@@ -43,6 +66,15 @@ void FloorPoints::collect(const State& state, const Travel& travel, double margi
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vector3& corner : corners_)
       lowest = std::min(lowest, add_if_low({item_, -1, corner}));
+    if (!rounds_.empty()) {
+      const Matrix3 rotation = state.rotation.toRotationMatrix();
+      std::vector<BodyContact::Side> sides;
+      for (const Round& round : rounds_) {
+        add_points(round, rotation, sides);
+        lowest = std::min(lowest, state.position.z() + gurney::lowest(round.form, rotation.row(2)));
+      }
+      for (const BodyContact::Side& side : sides) add_if_low(side);
+    }
     clearance_.measure(lowest, travelled);
   }
   if (!some_wheel_may_lie(state)) return;

@@ -46,14 +46,16 @@ Mechanism::Mechanism(const Scene& scene, std::size_t item)
         std::max({length, (caster.mount - chassis.center_of_mass).norm(), caster.wheel_radius});
     reach = std::max(reach, casters.back().reach());
   }
-  for (const auto& box : model.shape) {
-    reach = std::max(reach, (box.center - chassis.center_of_mass).norm() + 0.5 * box.size.norm());
-    if (casters.empty()) length = std::max(length, 0.5 * box.size.norm());
+  for (const BodyShape& shape : model.shape) {
+    surfaces.push_back(round_surface(shape, chassis.center_of_mass));
+    reach = std::max(reach, reach_from(shape, chassis.center_of_mass));
+    if (casters.empty()) length = std::max(length, 0.5 * shape.size.norm());
   }
 }
 
 Vector3 Mechanism::point(const BodyContact::Side& side, const State& state) const {
-  if (side.caster < 0) return state.rotation * side.local;
+  if (side.caster < 0 && side.round < 0) return state.rotation * side.local;
+  if (side.caster < 0) return chassis_point(side, state.rotation.toRotationMatrix());
   const auto caster = static_cast<std::size_t>(side.caster);
   return point_of(casters[caster], state.pose(), state.casters[caster].swivel_angle, side);
 }

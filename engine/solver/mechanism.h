@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/caster/caster_dynamics.h"
+#include "engine/contact/body_form.h"
 #include "engine/scene/scene.h"
 #include "engine/solver/loads.h"
 #include "engine/solver/state.h"
@@ -24,6 +25,7 @@ struct Mechanism {
 
   MassProperties chassis;  ///< with payloads; item axes
   std::vector<CasterDynamics> casters;
+  std::vector<RoundSurface> surfaces;  ///< as EquipmentModel::shape
   Loads loads;
   Tethers tethers;
   Fixture fixture;
@@ -35,6 +37,12 @@ struct Mechanism {
   /// A point of the item (BodyContact::Side), relative to the chassis' centre, floor axes; and its
   /// velocity, without the spin of a wheel, which moves no point of its surface.
   Vector3 point(const BodyContact::Side& side, const State& state) const;
+  /// The same of the chassis in a pose.
+  Vector3 chassis_point(const BodyContact::Side& side, const Matrix3& rotation) const {
+    return side.round < 0 ? Vector3(rotation * side.local)
+                          : surfaces[static_cast<std::size_t>(side.round)].farthest(
+                                rotation, side.local, side.outwards);
+  }
   Vector3 velocity(const BodyContact::Side& side, const State& state) const;
   /// 1 / the mass that an impulse along `normal` feels there of the chassis alone: more than that
   /// of all the item [1/kg].

@@ -2,7 +2,7 @@
 
 namespace gurney {
 
-std::variant<ConvexShape, Cylinder> placed_shape(const RoomShape& room) {
+BodyForm placed_shape(const RoomShape& room) {
   if (const auto* column = std::get_if<RoomColumn>(&room.shape))
     return Cylinder{room.position, room.rotation * Vector3::UnitZ(), column->radius,
                     0.5 * column->height};

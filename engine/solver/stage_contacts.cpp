@@ -8,7 +8,7 @@ void StageSolver::place(const Input& input, const std::vector<Velocity>& v, cons
   const ItemStage& item = items_[at.item];
   side.joints.setZero();
   if (at.caster < 0) {
-    side.point = item.pose().rotation * at.local;
+    side.point = item.mechanism().chassis_point(at, item.pose().rotation);
   } else {
     const auto i = static_cast<std::size_t>(at.caster);
     const CasterDynamics& caster = item.mechanism().casters[i];

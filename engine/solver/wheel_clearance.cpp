@@ -25,6 +25,14 @@ double distance(const Cylinder& column, const Vector3& point) {
                   (from - along * column.axis).norm() - column.radius);
 }
 
+double distance(const Sphere& sphere, const Vector3& point) {
+  return (point - sphere.center).norm() - sphere.radius;
+}
+
+double distance(const BodyForm& form, const Vector3& point) {
+  return std::visit([&](const auto& of_kind) { return distance(of_kind, point); }, form);
+}
+
 }  // namespace
 
 WheelClearance::WheelClearance(const Scene& scene, const Assembly& assembly)
@@ -32,9 +40,9 @@ WheelClearance::WheelClearance(const Scene& scene, const Assembly& assembly)
       from_room_(scene.items.size()),
       between_(scene.items.size() * scene.items.size()) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
-    auto& boxes = boxes_.emplace_back();
-    for (const Box& box : scene.items[i].model.shape)
-      boxes.push_back(convex_box(box.center - assembly.items[i].chassis.center_of_mass, box.size));
+    auto& shapes = shapes_.emplace_back();
+    for (const BodyShape& shape : scene.items[i].model.shape)
+      shapes.push_back(body_form(shape, assembly.items[i].chassis.center_of_mass));
   }
   for (const RoomShape& shape : scene.room) room_.push_back(placed_shape(shape));
 }
@@ -54,20 +62,18 @@ std::vector<WheelClearance::Ball> WheelClearance::balls(std::size_t item,
 double WheelClearance::gap_to_room(const std::vector<Ball>& balls) const {
   double gap = kFar;
   for (const Ball& ball : balls)
-    for (const auto& shape : room_)
-      gap =
-          std::min(gap, std::visit([&](const auto& s) { return distance(s, ball.center); }, shape) -
-                            ball.radius);
+    for (const BodyForm& shape : room_)
+      gap = std::min(gap, distance(shape, ball.center) - ball.radius);
   return gap;
 }
 
-double WheelClearance::gap_to_boxes(const std::vector<Ball>& balls, std::size_t other,
-                                    const State& at) const {
+double WheelClearance::gap_to_shapes(const std::vector<Ball>& balls, std::size_t other,
+                                     const State& at) const {
   double gap = kFar;
   for (const Ball& ball : balls) {
     const Vector3 point = at.rotation.conjugate() * (ball.center - at.position);
-    for (const ConvexShape& box : boxes_[other])
-      gap = std::min(gap, distance(box, point) - ball.radius);
+    for (const BodyForm& shape : shapes_[other])
+      gap = std::min(gap, distance(shape, point) - ball.radius);
   }
   return gap;
 }
@@ -77,7 +83,7 @@ double WheelClearance::gap_between(std::size_t a, std::size_t b, const SceneStat
   const double around =
       (at_a.position - at_b.position).norm() - assembly_.items[a].reach - assembly_.items[b].reach;
   const std::vector<Ball> of_a = balls(a, at_a), of_b = balls(b, at_b);
-  double gap = std::min(gap_to_boxes(of_a, b, at_b), gap_to_boxes(of_b, a, at_a));
+  double gap = std::min(gap_to_shapes(of_a, b, at_b), gap_to_shapes(of_b, a, at_a));
   for (const Ball& p : of_a)
     for (const Ball& q : of_b)
       gap = std::min(gap, (p.center - q.center).norm() - p.radius - q.radius);
@@ -85,7 +91,7 @@ double WheelClearance::gap_between(std::size_t a, std::size_t b, const SceneStat
 }
 
 bool WheelClearance::any_near(const SceneState& state, const Travels& travels, double range) {
-  const std::size_t count = boxes_.size();
+  const std::size_t count = shapes_.size();
   const auto travelled = [&](std::size_t i) {
     const Travel& travel = travels.of(i);
     return travel.chassis(assembly_.items[i].reach) + travel.swing;

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <variant>
 #include <vector>
 
-#include "engine/contact/column_points.h"
-#include "engine/contact/convex_shape.h"
+#include "engine/contact/body_form.h"
 #include "engine/solver/travel.h"
 
 namespace gurney {
@@ -25,12 +23,12 @@ class WheelClearance {
   /// A wheel is inside a ball about its centre.
   std::vector<Ball> balls(std::size_t item, const State& state) const;
   double gap_to_room(const std::vector<Ball>& balls) const;
-  double gap_to_boxes(const std::vector<Ball>& balls, std::size_t other, const State& at) const;
+  double gap_to_shapes(const std::vector<Ball>& balls, std::size_t other, const State& at) const;
   double gap_between(std::size_t a, std::size_t b, const SceneState& state) const;
 
   const Assembly& assembly_;
-  std::vector<std::vector<ConvexShape>> boxes_;  // chassis axes, of each item
-  std::vector<std::variant<ConvexShape, Cylinder>> room_;
+  std::vector<std::vector<BodyForm>> shapes_;  // chassis axes, of each item
+  std::vector<BodyForm> room_;
   std::vector<Clearance> from_room_;  // of each item
   std::vector<Clearance> between_;    // of each pair of items
 };

@@ -47,21 +47,6 @@ void read_body(Quantities& in, const BodyMembers<T>& members, Uncertain<T>& resu
   });
 }
 
-/// The tables [[shape]], one or more boxes, and [[marked_point]].
-template <class T>
-void read_shape(config::Table& table, std::vector<Box> T::*shape, Uncertain<T>& result) {
-  using config::Range;
-  for (config::Table& box : table.tables("shape")) {
-    Quantities in(box);
-    Uncertain<Box> read;
-    read.set(&Box::center, in.vector_mm("center_mm", Range::any()));
-    read.set(&Box::size, in.vector_mm("size_mm", Range::positive()));
-    result.append(shape, std::move(read));
-  }
-  if ((result.stated().*shape).empty())
-    table.note("shape", ": must have at least one box [[" + table.name_of("shape") + "]]");
-}
-
 template <class T>
 void read_marked_points(config::Table& table, std::vector<MarkedPoint> T::*points,
                         Uncertain<T>& result) {

@@ -7,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "engine/config/table.h"
+#include "engine/contact/body_form.h"
 #include "equipment/catalogue/load_item.h"
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/tether_type.h"
@@ -71,7 +72,7 @@ void refuse_other_kind(config::Document& document, const std::string& wanted) {
 
 namespace {
 
-// Densities of what equipment is made of, as boxes full of air and as solid metal (assumptions).
+// Densities of what equipment is made of, as shapes full of air and as solid metal (assumptions).
 constexpr double kLightest = 20, kHeaviest = 3000;  // [kg/m3]
 
 }  // namespace
@@ -80,10 +81,10 @@ std::vector<std::string> implausible(const EquipmentModel& item) {
   std::vector<std::string> findings;
   double volume = 0;
   Vector3 low = Vector3::Constant(1e300), high = -low;
-  for (const Box& box : item.shape) {
-    volume += box.size.prod();
-    low = low.cwiseMin(box.center - box.size / 2);
-    high = high.cwiseMax(box.center + box.size / 2);
+  for (const BodyShape& shape : item.shape) {
+    volume += volume_of(shape);
+    low = low.cwiseMin(shape.center - shape.size / 2);
+    high = high.cwiseMax(shape.center + shape.size / 2);
   }
   const MassProperties chassis = chassis_with_payloads(item);
   const double density = chassis.mass / volume;

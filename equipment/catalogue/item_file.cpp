@@ -16,6 +16,7 @@
 #include "equipment/catalogue/body_reader.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/quantity.h"
+#include "equipment/catalogue/shape_reader.h"
 
 namespace gurney::equipment {
 namespace {

@@ -39,7 +39,7 @@ struct PayloadKind {
 
 /// An item as its file describes it (docs/formats/equipment_file.md), in base axes: x forward,
 /// y left, z up from the underside of the base plate, which rests on the casters, or on the lowest
-/// boxes of its shape where it has none.
+/// of its shapes where it has none.
 struct ItemDescription {
   std::string name;
   std::string description;
@@ -48,8 +48,8 @@ struct ItemDescription {
   Vector3 chassis_center_of_mass = Vector3::Zero();  ///< [m]
   Matrix3 chassis_inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
   std::string material;                              ///< of its chassis; empty: not stated
-  std::vector<Box> shape;
-  std::vector<CasterPlace> casters;  ///< none: it stands on the lowest faces of its boxes
+  std::vector<BodyShape> shape;
+  std::vector<CasterPlace> casters;  ///< none: it stands on the lowest of its shapes
   ItemContact contact;
   std::vector<PayloadKind> payloads;
   std::vector<MarkedPoint> marked_points;

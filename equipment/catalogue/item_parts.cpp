@@ -7,6 +7,7 @@
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "equipment/catalogue/body_reader.h"
+#include "equipment/catalogue/shape_reader.h"
 
 namespace gurney::equipment {
 namespace {
@@ -148,7 +149,9 @@ Uncertain<ContentDescription> read_content(Table table, const std::vector<PartDe
   content.set(&ContentDescription::position, in.vector_mm("position_mm", Range::any()));
   content.set(&ContentDescription::yaw, in.angle_deg("yaw_deg", Range::any(), 0.0));
   content.set(&ContentDescription::mass, in.number("mass_kg", Range::positive()));
-  content.set(&ContentDescription::size, in.vector_mm("size_mm", Range::positive()));
+  content.add([solids = read_solid(table, false)](ContentDescription& of_draw, Sampler& of) {
+    of_draw.shape = solids.sample(of);
+  });
   if (auto contact = table.table("contact"))
     content.set(&ContentDescription::contact, read_item_contact(*contact));
   else

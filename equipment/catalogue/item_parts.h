@@ -24,19 +24,19 @@ struct PartDescription {
   Vector3 center_of_mass = Vector3::Zero();  ///< [m]
   Matrix3 inertia = Matrix3::Zero();         ///< about its centre of mass [kg m2]
   std::string material;                      ///< empty: that of the chassis
-  std::vector<Box> shape;
+  std::vector<BodyShape> shape;
   std::vector<MarkedPoint> marked_points;
 };
 
-/// A loose box that stands on an item. Base axes.
+/// A loose body that stands on an item. Base axes.
 struct ContentDescription {
   std::string name;
   std::string where;                   ///< `file:line:column`; empty: not from a file
   std::size_t on = 0;                  ///< what carries it: 0 the chassis, i + 1 part i
-  Vector3 position = Vector3::Zero();  ///< middle of its underside [m]
+  Vector3 position = Vector3::Zero();  ///< middle of the underside of the box around it [m]
   double yaw = 0;                      ///< [rad]
   double mass = 0;                     ///< [kg]
-  Vector3 size = Vector3::Zero();      ///< a uniform box [m]
+  std::vector<BodyShape> shape;        ///< uniform; anywhere in axes of its own [m]
   ItemContact contact;                 ///< with what it stands on, and all else
 };
 

@@ -18,7 +18,8 @@ Vector3 size_of(const EquipmentModel& item) {
     low = low.cwiseMin(corner);
     high = high.cwiseMax(other);
   };
-  for (const Box& box : item.shape) include(box.center - box.size / 2, box.center + box.size / 2);
+  for (const BodyShape& box : item.shape)
+    include(box.center - box.size / 2, box.center + box.size / 2);
   for (const Caster& caster : item.casters)
     include({caster.mount.x(), caster.mount.y(), 0}, caster.mount);
   return high - low;

@@ -10,6 +10,7 @@
 
 #include "engine/base/diagnostics.h"
 #include "engine/base/units.h"
+#include "engine/contact/body_form.h"
 #include "equipment/catalogue/support.h"
 
 namespace gurney::equipment {
@@ -29,7 +30,7 @@ double base_height(const CasterPlace& place, const ItemOptions& options) {
 double base_height(const ItemDescription& item, const ItemOptions& options) {
   if (!item.casters.empty()) return base_height(item.casters[0], options);
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Box& box : item.shape) lowest = std::min(lowest, box.center.z() - box.size.z() / 2);
+  for (const BodyShape& shape : item.shape) lowest = std::min(lowest, shape.bottom());
   return -lowest;
 }
 
@@ -180,30 +181,46 @@ LoadedPart load_part(const ItemDescription& item, std::size_t index, const ItemO
   model.chassis_center_of_mass = base + part.center_of_mass;
   model.chassis_inertia = part.inertia;
   model.material = part.material;
-  for (const Box& box : part.shape) model.shape.push_back({base + box.center, box.size});
+  for (const BodyShape& shape : part.shape) model.shape.push_back(shape.moved(base));
   for (const MarkedPoint& point : part.marked_points)
     model.marked_points.push_back({point.name, base + point.position});
   validate(model);
   return loaded;
 }
 
-/// Whether the top of one of the boxes lies at the underside of a content, below its middle.
-bool carries(const std::vector<Box>& boxes, const ContentDescription& content) {
+/// Whether the level top of one of the shapes lies at the underside of a content, below its middle.
+bool carries(const std::vector<BodyShape>& shapes, const ContentDescription& content) {
   constexpr double kSameHeight = 1e-3;  // [m] heights are stated in mm
-  return std::ranges::any_of(boxes, [&](const Box& box) {
-    const Vector3 from = (content.position - box.center).cwiseAbs() - box.size / 2;
-    const double above = content.position.z() - (box.center.z() + box.size.z() / 2);
-    return from.head<2>().maxCoeff() <= 0 && std::abs(above) <= kSameHeight;
+  return std::ranges::any_of(shapes, [&](const BodyShape& shape) {
+    const auto top = level_top(shape, content.position.head<2>());
+    return top && std::abs(content.position.z() - *top) <= kSameHeight;
   });
 }
 
+/// The shapes of a content with the middle of their underside at the origin.
+std::vector<BodyShape> standing(const std::vector<BodyShape>& shapes) {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const BodyShape& shape : shapes) {
+    low = low.cwiseMin(shape.center - 0.5 * shape.size);
+    high = high.cwiseMax(shape.center + 0.5 * shape.size);
+  }
+  const Vector3 middle = 0.5 * (low + high);
+  std::vector<BodyShape> moved;
+  for (const BodyShape& shape : shapes)
+    moved.push_back(shape.moved({-middle.x(), -middle.y(), -low.z()}));
+  return moved;
+}
+
+std::string before(const std::string& where) { return where.empty() ? "" : where + ": "; }
+
 LoadedContent load_content(const ItemDescription& item, const ContentDescription& content,
                            const ItemOptions& options, const Vector3& base) {
-  const std::vector<Box>& below = content.on == 0 ? item.shape : item.parts[content.on - 1].shape;
+  const std::vector<BodyShape>& below =
+      content.on == 0 ? item.shape : item.parts[content.on - 1].shape;
   require(carries(below, content),
           fmt::format(
-              "{}{}content '{}': no box of {} has its top below it at {:g} mm", content.where,
-              content.where.empty() ? "" : ": ", content.name,
+              "{}content '{}': no shape of {} has a level top below it at {:g} mm",
+              before(content.where), content.name,
               content.on == 0 ? "the chassis" : "part '" + item.parts[content.on - 1].name + "'",
               content.position.z() * kMillimetersPerMeter));
   LoadedContent loaded;
@@ -211,15 +228,63 @@ LoadedContent load_content(const ItemDescription& item, const ContentDescription
   loaded.position = base + content.position;
   loaded.yaw = content.yaw;
   EquipmentModel& model = loaded.model;
-  const Vector3 middle(0, 0, 0.5 * content.size.z());
   model.name = content.name;
   model.chassis_mass = content.mass;
-  model.chassis_center_of_mass = middle;
-  model.chassis_inertia = solid_box_inertia(content.mass, content.size);
+  model.shape = standing(content.shape);
+  const MassProperties body = uniform_solid(content.mass, model.shape);
+  model.chassis_center_of_mass = body.center_of_mass;
+  model.chassis_inertia = body.inertia;
   model.material = content.contact.material;
-  model.shape = {{middle, content.size}};
   loaded.pairs = pairs_of(model.material, content.contact.constants, options);
   return loaded;
+}
+
+/// A body of an item with its shapes in item axes.
+struct Body {
+  std::string name;
+  std::vector<BodyForm> forms;
+};
+
+Body body_of(const std::string& name, const std::vector<BodyShape>& shapes, double yaw = 0,
+             const Vector3& position = Vector3::Zero()) {
+  Body body{name, {}};
+  const Quaternion turn(Eigen::AngleAxisd(yaw, Vector3::UnitZ()));
+  for (const BodyShape& shape : shapes) {
+    const BodyForm form = body_form(shape, Vector3::Zero());
+    place(form, turn, position, body.forms.emplace_back(form));
+  }
+  return body;
+}
+
+/// How deep two bodies overlap [m].
+double overlap(const Body& a, const Body& b) {
+  std::vector<FacingPoint> points;
+  for (const BodyForm& one : a.forms)
+    for (const BodyForm& other : b.forms) form_points(one, other, Vector3::Zero(), 0, points);
+  double depth = 0;
+  for (const FacingPoint& point : points) depth = std::max(depth, -point.gap);
+  return depth;
+}
+
+/// @throws Error where a content stands in the item or in another content, with its place.
+void check_contents(const ItemDescription& item, const LoadedItem& loaded) {
+  constexpr double kLeastDepth = 1e-3;  // [m] as of items of a job
+  std::vector<Body> bodies = {body_of("the chassis", loaded.model.shape)};
+  for (const LoadedPart& part : loaded.parts)
+    bodies.push_back(body_of("part '" + part.model.name + "'", part.model.shape));
+  Diagnostics errors;
+  for (const LoadedContent& content : loaded.contents) {
+    const std::string& name = content.model.name;
+    const Body body =
+        body_of("content '" + name + "'", content.model.shape, content.yaw, content.position);
+    const auto described = std::ranges::find(item.contents, name, &ContentDescription::name);
+    for (const Body& other : bodies)
+      if (const double depth = overlap(body, other); depth > kLeastDepth)
+        errors.add(fmt::format("{}{} stands {:.0f} mm deep in {}", before(described->where),
+                               body.name, depth * kMillimetersPerMeter, other.name));
+    bodies.push_back(body);
+  }
+  errors.raise();
 }
 
 }  // namespace
@@ -256,7 +321,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   model.chassis_mass = item.chassis_mass;
   model.chassis_center_of_mass = base + item.chassis_center_of_mass;
   model.chassis_inertia = item.chassis_inertia;
-  for (const Box& box : item.shape) model.shape.push_back({base + box.center, box.size});
+  for (const BodyShape& shape : item.shape) model.shape.push_back(shape.moved(base));
   for (const PayloadKind& kind : item.payloads) add_payloads(kind, options, base, loaded);
   for (std::size_t i = 0; i < item.casters.size(); ++i)
     model.casters.push_back(make_caster(item.casters[i], i, options, loaded.assumptions));
@@ -270,6 +335,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
     loaded.contents.push_back(load_content(item, content, options, base));
     add_assumptions(loaded.assumptions, content.contact.assumptions);
   }
+  check_contents(item, loaded);
   if (options.floor) add_assumptions(loaded.assumptions, options.floor->assumptions);
   validate(model);
   loaded.warnings = stability_of(as_rigid(loaded)).warnings;

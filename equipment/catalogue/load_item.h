@@ -34,7 +34,7 @@ struct LoadedPart {
   Joint joint;  ///< base: 0 the chassis, i + 1 part i; part aside
 };
 
-/// A loose box that stands on an item, in the axes of a box on the floor.
+/// A loose body that stands on an item, in the axes of one on the floor.
 struct LoadedContent {
   EquipmentModel model;
   std::size_t on = 0;                  ///< 0 the chassis, i + 1 part i
@@ -59,13 +59,13 @@ struct LoadedItem {
 };
 
 /// Base axes become item axes: the base plate is as high as its casters, or where there are none as
-/// high as it stands on its lowest boxes.
+/// high as it stands on the lowest of its shapes.
 /// @throws Error with a line for each error (a brake that is on but does not exist, base heights
-///         that differ between casters, constants outside the engine's ranges), with the place of a
-///         caster that was read from a file.
+///         that differ between casters, constants outside the engine's ranges, contents that float or
+///         stand in something), with the place of a caster or a content that was read from a file.
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
 
-/// The item with its parts and contents as payloads, its masses as it stands, and with the boxes of its parts.
+/// The item with its parts and contents as payloads, its masses as it stands, and with the shapes of its parts.
 EquipmentModel as_rigid(const LoadedItem& item);
 
 /// Constants of the item's chassis, or its feet, against the floor.

@@ -13,6 +13,8 @@
 namespace gurney::equipment {
 namespace {
 
+constexpr double kUpright = 1e-9;  // sine of the tilt of a cylinder
+
 double reach(const std::vector<Support>& supports, const Vector2& n) {
   double largest = -std::numeric_limits<double>::infinity();
   for (const Support& support : supports)
@@ -39,16 +41,35 @@ std::vector<double> ties(const std::vector<Support>& supports) {
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-std::vector<Support> corners_on_floor(const std::vector<Box>& shape) {
+/// Points of a shape that may be its lowest: of what rolls, those it rolls on.
+std::vector<Vector3> low_points(const BodyShape& shape) {
+  const auto* cylinder = std::get_if<SolidCylinder>(&shape.solid);
+  if (const auto* sphere = std::get_if<SolidSphere>(&shape.solid))
+    return {shape.center - sphere->radius * Vector3::UnitZ()};
+  if (cylinder == nullptr || cylinder->axis.head<2>().norm() < kUpright)
+    return outline_points(shape);
+  const Vector3 up = Vector3::UnitZ() - cylinder->axis.z() * cylinder->axis;
+  const Vector3 side = shape.center - cylinder->radius * up.normalized();
+  const Vector3 end = 0.5 * cylinder->length * cylinder->axis;
+  return {side - end, side + end};
+}
+
+std::vector<Support> points_on_floor(const std::vector<BodyShape>& shape) {
   constexpr double kLevel = 1e-6;  // [m] sizes are stated in mm
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Box& box : shape) lowest = std::min(lowest, box.center.z() - box.size.z() / 2);
+  for (const BodyShape& each : shape) lowest = std::min(lowest, each.bottom());
   std::vector<Support> corners;
-  for (const Box& box : shape) {
-    if (!(box.center.z() - box.size.z() / 2 <= lowest + kLevel)) continue;
-    for (const double x : {-0.5, 0.5})
-      for (const double y : {-0.5, 0.5})
-        corners.push_back({box.center.head<2>() + Vector2(x * box.size.x(), y * box.size.y()), 0});
+  for (const BodyShape& each : shape) {
+    if (!(each.bottom() <= lowest + kLevel)) continue;
+    if (each.is_box()) {
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+          corners.push_back(
+              {each.center.head<2>() + Vector2(x * each.size.x(), y * each.size.y()), 0});
+      continue;
+    }
+    for (const Vector3& point : low_points(each))
+      if (point.z() <= lowest + kLevel) corners.push_back({point.head<2>(), 0});
   }
   return corners;
 }
@@ -56,7 +77,7 @@ std::vector<Support> corners_on_floor(const std::vector<Box>& shape) {
 }  // namespace
 
 std::vector<Support> supports_of(const EquipmentModel& item, Swivels swivels) {
-  if (item.casters.empty()) return corners_on_floor(item.shape);
+  if (item.casters.empty()) return points_on_floor(item.shape);
   std::vector<Support> supports;
   for (const Caster& caster : item.casters) {
     const bool turns = caster.swivels && caster.swivel_lock_torque == 0;

@@ -18,8 +18,8 @@ enum class Swivels {
   kAnywhere   ///< free forks stand as is worst; locked and rigid ones as placed
 };
 
-/// Supports of an item; without casters the corners of those boxes whose lowest face is on the
-/// floor, within 1e-6 m of the lowest of all.
+/// Supports of an item; without casters the points of its shapes (outline_points) on the floor, within
+/// 1e-6 m of the lowest of all.
 std::vector<Support> supports_of(const EquipmentModel& item, Swivels swivels);
 
 /// How far a point lies inside an edge of the supports.
@@ -64,7 +64,7 @@ struct Stability {
 };
 
 /// Wheel loads are those of a rigid chassis on the casters' tread stiffnesses, lifted wheels left
-/// out; none without casters, where the support are the corners of the lowest boxes. Warns below 10
+/// out; none without casters, where the support are the lowest points of its shapes. Warns below 10
 /// degrees, the tilt IEC 60601-1 asks of mobile equipment in its transport position (5 degrees
 /// without casters: in any other position), and where the centre of mass can leave the support
 /// polygon. A base that reaches beyond the chassis is no fault.

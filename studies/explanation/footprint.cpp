@@ -21,16 +21,8 @@ bool separates(const Polygon& a, const Polygon& b) {
   return false;
 }
 
-std::vector<Vector3> box_corners(const Vector3& center, const Vector3& size) {
-  std::vector<Vector3> corners;
-  for (int k = 0; k < 8; ++k)
-    corners.push_back(
-        center + 0.5 * size.cwiseProduct(Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1)));
-  return corners;
-}
-
 std::vector<Vector3> points_of(const RoomBox& box) {
-  return box_corners(Vector3::Zero(), box.size);
+  return outline_points({Vector3::Zero(), box.size});
 }
 
 std::vector<Vector3> points_of(const RoomColumn& column) {
@@ -79,9 +71,9 @@ Polygon convex_hull(std::vector<Vector2> points) {
 std::vector<Polygon> footprint(const PlacedItem& item, const Sample& sample) {
   const Vector3 start(item.initial.position.x(), item.initial.position.y(), 0);
   std::vector<Polygon> result;
-  for (const Box& box : item.model.shape)
-    result.push_back(from_above(box_corners(box.center, box.size), start + sample.displacement,
-                                sample.orientation));
+  for (const BodyShape& shape : item.model.shape)
+    result.push_back(
+        from_above(outline_points(shape), start + sample.displacement, sample.orientation));
   return result;
 }
 

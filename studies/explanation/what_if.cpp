@@ -341,7 +341,7 @@ Tether strap_of(const Scene& scene, std::size_t item, const std::string& name,
   constexpr double kOutside = 0.3, kSlack = 0.02, kStiffness = 5e4, kDamping = 500;
   const PlacedItem& placed = scene.items[item];
   double reach = 0;
-  for (const Box& box : placed.model.shape)
+  for (const BodyShape& box : placed.model.shape)
     reach = std::max(reach, (box.center.cwiseAbs() + box.size / 2).head<2>().norm());
   Tether strap;
   strap.name = name;

@@ -101,11 +101,43 @@ std::string mjcf_caster(const CasterBodies& bodies) {
          wheel_geom(bodies) + "        </body>\n      </body>\n";
 }
 
-std::string mjcf_boxes(const std::vector<Box>& shape, const std::string& more) {
+/// MuJoCo's own solids; of a hull the mesh that mjcf_meshes has described.
+std::string mjcf_solid(const BodyShape& shape, const std::string& mesh) {
+  const std::string place = fmt::format("pos=\"{}\"", numbers_text(shape.center));
+  if (const auto* cylinder = std::get_if<SolidCylinder>(&shape.solid))
+    return fmt::format("type=\"cylinder\" {} zaxis=\"{}\" size=\"{} {}\"", place,
+                       numbers_text(cylinder->axis), cylinder->radius, cylinder->length / 2);
+  if (const auto* sphere = std::get_if<SolidSphere>(&shape.solid))
+    return fmt::format("type=\"sphere\" {} size=\"{}\"", place, sphere->radius);
+  if (shape.is_box())
+    return fmt::format("type=\"box\" {} size=\"{}\"", place, numbers_text(shape.size / 2));
+  return fmt::format("type=\"mesh\" mesh=\"{}\"", mesh);
+}
+
+std::string mesh_name(const std::string& body, std::size_t index) {
+  return fmt::format("{}_hull_{}", body, index + 1);
+}
+
+/// @param body  its name, before those of its meshes
+std::string mjcf_shape(const std::vector<BodyShape>& shapes, const std::string& body,
+                       const std::string& more) {
   std::string text;
-  for (const Box& box : shape)
-    text += fmt::format("      <geom class=\"item\" type=\"box\" pos=\"{}\" size=\"{}\"{}/>\n",
-                        numbers_text(box.center), numbers_text(box.size / 2), more);
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    text += fmt::format("      <geom class=\"item\" {}{}/>\n",
+                        mjcf_solid(shapes[i], mesh_name(body, i)), more);
+  return text;
+}
+
+/// MuJoCo moves a mesh to its centre of volume and the geom back to where its vertices say.
+std::string mjcf_meshes(const std::vector<BodyShape>& shapes, const std::string& body) {
+  std::string text;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!std::holds_alternative<SolidHull>(shapes[i].solid)) continue;
+    std::string points;
+    for (const Vector3& point : outline_points(shapes[i]))
+      points += (points.empty() ? "" : "  ") + numbers_text(point);
+    text += fmt::format("    <mesh name=\"{}\" vertex=\"{}\"/>\n", mesh_name(body, i), points);
+  }
   return text;
 }
 
@@ -154,7 +186,7 @@ std::string mjcf_parts(const ItemBodies& item, std::size_t base) {
     if (!part.joint || part.joint->base != base) continue;
     text += fmt::format("      <body name=\"{}\">\n", part.name) + mjcf_part_joint(part) +
             "      " + mjcf_inertial(part.body.mass, part.body.center_of_mass, part.body.inertia) +
-            mjcf_boxes(part.shape, "") + mjcf_parts(item, i + 1) + "      </body>\n";
+            mjcf_shape(part.shape, part.name, "") + mjcf_parts(item, i + 1) + "      </body>\n";
   }
   return text;
 }
@@ -167,7 +199,7 @@ std::string mjcf_contents(const ItemBodies& item) {
                 "    <body name=\"{}\" pos=\"{}\" euler=\"0 0 {}\">\n      <freejoint/>\n      ",
                 content.name, numbers_text(content.origin), content.yaw) +
             mjcf_inertial(content.body.mass, content.body.center_of_mass, content.body.inertia) +
-            mjcf_boxes(content.shape,
+            mjcf_shape(content.shape, content.name,
                        fmt::format(" contype=\"1\" friction=\"{} 0 0\"", content.friction)) +
             "    </body>\n";
   }
@@ -177,6 +209,8 @@ std::string mjcf_contents(const ItemBodies& item) {
 }  // namespace
 
 std::string mjcf_text(const ItemBodies& item) {
+  std::string meshes = mjcf_meshes(item.shape, "chassis");
+  for (const PartBody& part : item.parts) meshes += mjcf_meshes(part.shape, part.name);
   std::string text = fmt::format(
       "<mujoco model=\"{}\">\n"
       "  <compiler angle=\"radian\" inertiafromgeom=\"false\" boundmass=\"0\" boundinertia=\"0\" "
@@ -184,11 +218,11 @@ std::string mjcf_text(const ItemBodies& item) {
       "  <option cone=\"elliptic\"/>\n"
       "  <default>\n    <default class=\"item\"><geom contype=\"0\" conaffinity=\"1\"/></default>\n"
       "  </default>\n"
-      "  <worldbody>\n    <geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>\n"
+      "{}  <worldbody>\n    <geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>\n"
       "    <body name=\"chassis\">\n      <freejoint/>\n      {}",
-      item.name,
+      item.name, meshes.empty() ? "" : "  <asset>\n" + meshes + "  </asset>\n",
       mjcf_inertial(item.chassis.mass, item.chassis.center_of_mass, item.chassis.inertia));
-  text += mjcf_boxes(item.shape, "");
+  text += mjcf_shape(item.shape, "chassis", "");
   for (const MarkedPoint& point : item.points)
     text += fmt::format("      <site name=\"{}\" pos=\"{}\"/>\n", point.name,
                         numbers_text(point.position));
@@ -217,6 +251,23 @@ std::string shape(const Vector3& center, const char* rpy, const std::string& geo
         "    </{0}>\n",
         element, numbers_text(center), rpy, geometry);
   return text;
+}
+
+std::string urdf_solid(const BodyShape& solid) {
+  if (solid.is_box())
+    return shape(solid.center, "0 0 0",
+                 fmt::format("<box size=\"{}\"/>", numbers_text(solid.size)));
+  if (const auto* sphere = std::get_if<SolidSphere>(&solid.solid))
+    return shape(solid.center, "0 0 0", fmt::format("<sphere radius=\"{}\"/>", sphere->radius));
+  const auto* cylinder = std::get_if<SolidCylinder>(&solid.solid);
+  require(cylinder != nullptr,
+          "a hull would need a mesh file of its own in URDF; --to mjcf exports it");
+  const Vector3& axis = cylinder->axis;  // pitch, then yaw turn z there
+  const std::string turn = fmt::format("0 {} {}", std::atan2(axis.head<2>().norm(), axis.z()),
+                                       std::atan2(axis.y(), axis.x()));
+  return shape(
+      solid.center, turn.c_str(),
+      fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", cylinder->radius, cylinder->length));
 }
 
 std::string urdf_joint(const std::string& parent, const std::string& child, const Vector3& origin,
@@ -257,8 +308,7 @@ std::string urdf_text(const ItemBodies& item) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"chassis\">\n{}", item.name,
       urdf_inertial(item.chassis.mass, item.chassis.center_of_mass, item.chassis.inertia));
-  for (const Box& box : item.shape)
-    text += shape(box.center, "0 0 0", fmt::format("<box size=\"{}\"/>", numbers_text(box.size)));
+  for (const BodyShape& each : item.shape) text += urdf_solid(each);
   text += "  </link>\n";
   for (const CasterBodies& each : item.casters) text += urdf_caster(each);
   return text + "</robot>\n";

@@ -28,7 +28,7 @@ struct PartBody {
   std::string name;
   std::optional<Joint> joint;  ///< base: 0 the chassis, i + 1 part i
   MassProperties body;
-  std::vector<Box> shape;
+  std::vector<BodyShape> shape;
   double friction = 0;  ///< of a content
   double yaw = 0;       ///< of a content, about its origin [rad]
   Vector3 origin = Vector3::Zero();
@@ -37,7 +37,7 @@ struct PartBody {
 struct ItemBodies {
   std::string name;
   MassProperties chassis;  ///< with its payloads, item axes
-  std::vector<Box> shape;
+  std::vector<BodyShape> shape;
   std::vector<CasterBodies> casters;
   std::vector<MarkedPoint> points;
   std::vector<PartBody> parts;  ///< contents last
@@ -54,12 +54,12 @@ Matrix3 wheel_inertia(const Caster& caster);
 /// `1.5 0 -2`, digits that read back as the same numbers.
 std::string numbers_text(const Vector3& vector);
 
-/// A model for MuJoCo (MJCF): the item on a plane, its boxes, sites at its marked points, its parts on their
+/// A model for MuJoCo (MJCF): the item on a plane, its shapes, sites at its marked points, its parts on their
 /// joints and its contents. Latches are left out, and stops have MuJoCo's own law.
 std::string mjcf_text(const ItemBodies& item);
 
 /// Model for ROS and others (URDF): links and joints, without floor and points.
-/// @throws Error for an item with parts or contents
+/// @throws Error for an item with parts, contents or hulls
 std::string urdf_text(const ItemBodies& item);
 
 }  // namespace gurney::study

@@ -7,6 +7,7 @@
 
 #include "engine/base/units.h"
 #include "equipment/catalogue/support.h"
+#include "studies/explanation/footprint.h"
 #include "studies/figures/panel.h"
 
 namespace gurney::figures {
@@ -23,13 +24,14 @@ struct View {
 constexpr View kPlan = {"Plan", 0, 1}, kSide = {"From the right", 0, 2},
                kFront = {"From the front", 1, 2};
 
-const std::string kChassis = palette(0), kEdge = palette(1), kWorst = palette(2);
+const std::string kChassis = palette(0), kEdge = palette(1), kWorst = palette(2),
+                  kPart = palette(3), kContent = palette(4);
 
 /// Half of what the plan shows.
 double plan_half_width(const report::EquipmentFacts& facts) {
   double reach = 0;
-  for (const Box& box : facts.model.shape)
-    reach = std::max(reach, (box.center.cwiseAbs() + box.size / 2).head<2>().maxCoeff());
+  for (const BodyShape& shape : facts.model.shape)
+    reach = std::max(reach, (shape.center.cwiseAbs() + shape.size / 2).head<2>().maxCoeff());
   for (const Caster& caster : facts.model.casters)
     reach = std::max(
         reach, caster.mount.head<2>().cwiseAbs().maxCoeff() + caster.trail + caster.wheel_radius);
@@ -38,7 +40,11 @@ double plan_half_width(const report::EquipmentFacts& facts) {
 
 /// Scale of both side views, so that a millimetre is as long in each.
 double side_half_width(const report::EquipmentFacts& facts) {
-  return std::max(plan_half_width(facts), 1.1 * 0.55 * facts.sheet.size.z());
+  double height = facts.sheet.size.z();
+  for (const equipment::LoadedContent& content : facts.contents)
+    for (const BodyShape& shape : content.model.shape)
+      height = std::max(height, content.position.z() + shape.top());
+  return std::max(plan_half_width(facts), 1.1 * 0.55 * height);
 }
 
 class ViewDrawing {
@@ -54,16 +60,30 @@ class ViewDrawing {
     scaling_ = draw(svg, frame, panel);
   }
 
-  void boxes(const EquipmentModel& item) {
-    for (const Box& box : item.shape) {
-      Vector3 corner = box.size / 2;
-      const Vector3 low = box.center - corner, high = box.center + corner;
-      polygon({{low[view_.across], low[view_.up]},
-               {high[view_.across], low[view_.up]},
-               {high[view_.across], high[view_.up]},
-               {low[view_.across], high[view_.up]}},
-              {.stroke = kChassis, .width = 1.2, .fill = kChassis, .opacity = 0.15});
+  /// Shapes that are turned about z and moved.
+  void shapes(const std::vector<BodyShape>& shapes, const std::string& color, double yaw = 0,
+              const Vector3& position = Vector3::Zero()) {
+    const Eigen::AngleAxisd turn(yaw, Vector3::UnitZ());
+    for (const BodyShape& shape : shapes) {
+      std::vector<Vector2> seen;
+      for (const Vector3& point : outline_points(shape)) {
+        const Vector3 there = position + turn * point;
+        seen.emplace_back(there[view_.across], there[view_.up]);
+      }
+      polygon(explanation::convex_hull(std::move(seen)),
+              {.stroke = color, .width = 1.2, .fill = color, .opacity = 0.15});
     }
+  }
+
+  /// Chassis, parts and contents.
+  void bodies(const report::EquipmentFacts& facts) {
+    std::vector<BodyShape> chassis = facts.model.shape;
+    for (const equipment::LoadedPart& part : facts.parts)
+      chassis.resize(chassis.size() - part.model.shape.size());
+    shapes(chassis, kChassis);
+    for (const equipment::LoadedPart& part : facts.parts) shapes(part.model.shape, kPart);
+    for (const equipment::LoadedContent& content : facts.contents)
+      shapes(content.model.shape, kContent, content.yaw, content.position);
   }
 
   void polygon(const std::vector<Vector2>& corners, const Pen& pen) {
@@ -118,7 +138,7 @@ class ViewDrawing {
 void draw_plan_view(Svg& svg, const Frame& frame, const report::EquipmentFacts& facts,
                     double half) {
   ViewDrawing view(svg, frame, kPlan, half);
-  view.boxes(facts.model);
+  view.bodies(facts);
   for (const Caster& caster : facts.model.casters) {
     const Vector2 mount = caster.mount.head<2>();
     const Vector2 forward(std::cos(caster.heading), std::sin(caster.heading));
@@ -143,7 +163,7 @@ void draw_side_view(Svg& svg, const Frame& frame, const View& seen,
                     const report::EquipmentFacts& facts, double half) {
   ViewDrawing view(svg, frame, seen, half);
   view.line({-half, 0}, {half, 0}, {.stroke = "#444444", .width = 1.5});
-  view.boxes(facts.model);
+  view.bodies(facts);
   for (const Caster& caster : facts.model.casters) {
     const Vector3 forward(std::cos(caster.heading), std::sin(caster.heading), 0);
     const Vector3 wheel = caster.mount - caster.trail * forward;
@@ -167,6 +187,8 @@ void draw_side_view(Svg& svg, const Frame& frame, const View& seen,
 
 std::string equipment_figure(const report::EquipmentFacts& facts) {
   const equipment::ItemSheet& sheet = facts.sheet;
+  const std::string of_others = std::string(facts.parts.empty() ? "" : " Pink: parts.") +
+                                (facts.contents.empty() ? "" : " Yellow: contents.");
   const bool rolls = !facts.model.casters.empty();
   Svg svg(kLeft + 3 * kPanel + 2 * kGap + 25, kTop + kPanel + 85);
   svg.text(kLeft, 34, facts.model.name, {.size = 17, .bold = true});
@@ -192,7 +214,8 @@ std::string equipment_figure(const report::EquipmentFacts& facts) {
            {.size = 11, .color = "#555555"});
   svg.text(kLeft, kTop + kPanel + 77,
            "Sides: dashed lines from the centre of mass to the ends of the support; cross: centre "
-           "of mass.",
+           "of mass." +
+               of_others,
            {.size = 11, .color = "#555555"});
   return svg.str();
 }

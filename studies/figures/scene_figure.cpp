@@ -39,7 +39,7 @@ Curve placed(const PlacedItem& item, const Vector2& from, const Vector2& to, con
 
 void add_item(Panel& panel, const PlacedItem& item, std::string name, const std::string& color) {
   double front = 0;
-  for (const Box& box : item.model.shape)
+  for (const BodyShape& box : item.model.shape)
     front = std::max(front, box.center.x() + box.size.x() / 2);
   for (const explanation::Polygon& part : explanation::footprint(item, at_start(item))) {
     panel.curves.push_back(outline(part, name, {.stroke = color, .width = 1.3}));

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/config/nearest_name.h"
+#include "engine/contact/body_form.h"
 #include "equipment/catalogue/quantity.h"
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/tether_type.h"
@@ -237,15 +238,11 @@ void read_tether(Table& table, const std::string& element, const std::string& na
 
 using config::Table;
 
-bool lies_in(const Box& box, const Vector2& point) {
-  return ((point - box.center.head<2>()).cwiseAbs() - box.size.head<2>() / 2).maxCoeff() <= 0;
-}
-
-/// The highest top of an item's boxes over a point of its plan.
+/// The highest level top of an item's shapes over a point of its plan.
 std::optional<double> top_of(const EquipmentModel& model, const Vector2& point) {
   std::optional<double> top;
-  for (const Box& box : model.shape)
-    if (lies_in(box, point)) top = std::max(top.value_or(0), box.center.z() + box.size.z() / 2);
+  for (const BodyShape& shape : model.shape)
+    if (const auto here = level_top(shape, point)) top = std::max(top.value_or(0), *here);
   return top;
 }
 
@@ -257,7 +254,7 @@ std::optional<double> top_of(const RoomShape& shape, const Vector2& point) {
     return shape.position.z() + column->height / 2;
   }
   const auto* box = std::get_if<RoomBox>(&shape.shape);
-  if (box == nullptr || !lies_in({Vector3::Zero(), box->size}, there.head<2>())) return {};
+  if (box == nullptr || !level_top({Vector3::Zero(), box->size}, there.head<2>())) return {};
   return shape.position.z() + box->size.z() / 2;
 }
 

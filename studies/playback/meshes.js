@@ -105,21 +105,22 @@ function forkMesh(wheel) {
   return mesh;
 }
 
-/// The boxes of an item, and an arrow to its front on the highest of them.
+/// The shapes of an item, and an arrow to its front on the highest of its boxes.
 function chassisMesh(item, color) {
   const mesh = new MeshBuilder();
   const pale = color.map((c) => mix(c, 0.97, 0.66));
   let top = null;
-  for (const points of item.boxes) {
+  item.boxes.forEach((points, i) => {
+    if (item.kinds[i] !== 'box') return mesh.shape(item.kinds[i], points, pale);
     const low = points[0];
     const high = points[6];
     const flat = high[2] - low[2] < 0.12;
     mesh.shape('box', points, flat ? pale.map((c) => c * 0.82) : pale);
     if (!top || high[2] > top.high[2]) top = { low, high };
-  }
+  });
   if (!top) return mesh;
   frontArrow(mesh, top, color);
-  const front = item.boxes.reduce((a, b) => (b[6][0] > a[6][0] ? b : a));
+  const front = item.boxes.filter((_, i) => item.kinds[i] === 'box').reduce((a, b) => (b[6][0] > a[6][0] ? b : a));
   frontStripe(mesh, front[0], front[6], color);
   return mesh;
 }

@@ -108,10 +108,14 @@ Json json_of(const RecordedItem& item, const RunWriter& writer) {
   Json json{{"name", item.name},
             {"model", item.model},
             {"boxes", Json::array()},
+            {"kinds", Json::array()},
             {"wheels", Json::array()},
             {"position", writer.vectors(item.position)},
             {"orientation", writer.quaternions(item.orientation)}};
-  for (const RecordedShape& box : item.boxes) json["boxes"].push_back(json_of(box.points));
+  for (const RecordedShape& shape : item.boxes) {
+    json["boxes"].push_back(json_of(shape.points));
+    json["kinds"].push_back(shape.kind);
+  }
   for (const RecordedWheel& wheel : item.wheels) json["wheels"].push_back(json_of(wheel, writer));
   return json;
 }

@@ -307,10 +307,11 @@ EquipmentFacts equipment_facts(const equipment::ItemDescription& item,
                                const equipment::LoadedItem& loaded) {
   const ContactConstants& floor = equipment::floor_contact(loaded);
   const EquipmentModel whole = as_rigid(loaded);
-  EquipmentFacts facts{whole,          equipment::item_sheet(whole, floor),
-                       floor,          item.description,
-                       item.variants,  loaded.assumptions,
-                       loaded.warnings};
+  EquipmentFacts facts{whole,           equipment::item_sheet(whole, floor),
+                       floor,           item.description,
+                       item.variants,   loaded.assumptions,
+                       loaded.warnings, loaded.parts,
+                       loaded.contents};
   for (std::string& finding : equipment::implausible(whole))
     facts.warnings.push_back(std::move(finding));
   return facts;

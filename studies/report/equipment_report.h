@@ -13,13 +13,15 @@ namespace gurney::report {
 
 /// An item ready for a report.
 struct EquipmentFacts {
-  EquipmentModel model;
+  EquipmentModel model;  ///< as_rigid: the shapes of its parts come after those of the chassis
   equipment::ItemSheet sheet;
   ContactConstants floor;  ///< of the chassis, or the feet, with the floor
   std::string description;
   std::vector<std::string> variants;
   std::vector<equipment::Assumption> assumptions;
   std::vector<std::string> warnings;
+  std::vector<equipment::LoadedPart> parts = {};
+  std::vector<equipment::LoadedContent> contents = {};
 };
 
 /// Facts of an item as it is described, with implausible numbers among the warnings.

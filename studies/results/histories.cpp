@@ -92,10 +92,23 @@ std::vector<Vector3> ring_points(const Vector3& center, double radius, const Vec
   return points;
 }
 
+std::string kind_of(const BodyShape& shape) {
+  if (shape.is_box()) return "box";
+  return std::holds_alternative<SolidCylinder>(shape.solid) ? "prism" : "hull";
+}
+
+std::vector<Vector3> points_of(const BodyShape& shape) {
+  if (shape.is_box()) return box_points(shape.center, shape.size);
+  if (const auto* cylinder = std::get_if<SolidCylinder>(&shape.solid))
+    return ring_points(shape.center, cylinder->radius, 0.5 * cylinder->length * cylinder->axis,
+                       cylinder->axis.unitOrthogonal());
+  return outline_points(shape);
+}
+
 std::vector<Shape> shapes_of(const PlacedItem& item, const std::string& name) {
   std::vector<Shape> shapes;
-  for (const Box& box : item.model.shape)
-    shapes.push_back({name, "chassis", "box", Vector3::Zero(), box_points(box.center, box.size)});
+  for (const BodyShape& shape : item.model.shape)
+    shapes.push_back({name, "chassis", kind_of(shape), Vector3::Zero(), points_of(shape)});
   const std::vector<std::string> casters = caster_names(item.model);
   for (std::size_t i = 0; i < casters.size(); ++i) {
     const Caster& caster = item.model.casters[i];

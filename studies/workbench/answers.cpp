@@ -12,6 +12,7 @@
 #include "equipment/catalogue/catalogue.h"
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/bindings/finished_run.h"
+#include "studies/explanation/footprint.h"
 #include "studies/findings/findings.h"
 #include "studies/job/job.h"
 #include "studies/limit_states/limit_state.h"
@@ -48,16 +49,23 @@ Json rectangle(const Vector3& center, const Vector3& size) {
           pair(center.x() + x, center.y() + y), pair(center.x() - x, center.y() + y)};
 }
 
-/// Rectangle of an item that starts as `of`, in the axes of one that starts as `from`.
-Json rectangle(const Vector3& center, const Vector3& size, const InitialMotion& of,
-               const InitialMotion& from) {
+/// A shape of an item that starts as `of`, seen from above in the axes of one that starts as `from`;
+/// anticlockwise.
+Json outline_of(const BodyShape& shape, const InitialMotion& of, const InitialMotion& from) {
   const Eigen::Rotation2Dd turn(of.yaw - from.yaw), back(-from.yaw);
   Json corners = Json::array();
-  for (const auto& corner : rectangle(center, size)) {
-    const Vector2 at =
-        back * (of.position - from.position).head<2>() + turn * Vector2(corner[0], corner[1]);
+  const auto add = [&](const Vector2& corner) {
+    const Vector2 at = back * (of.position - from.position).head<2>() + turn * corner;
     corners.push_back(pair(at.x(), at.y()));
+  };
+  if (shape.is_box()) {
+    for (const auto& corner : rectangle(shape.center, shape.size))
+      add(Vector2(corner[0], corner[1]));
+    return corners;
   }
+  std::vector<Vector2> seen;
+  for (const Vector3& point : outline_points(shape)) seen.push_back(point.head<2>());
+  for (const Vector2& corner : explanation::convex_hull(std::move(seen))) add(corner);
   return corners;
 }
 
@@ -123,13 +131,14 @@ Json plan_answer(const std::string& job) {
     const PlacedItem& item = read.scene.items[i];
     if (const std::size_t owner = read.owners[i];
         owner != i) {  // a part or a content is drawn with its item
-      for (const Box& box : item.model.shape)
+      for (const BodyShape& shape : item.model.shape)
         items[owner]["boxes"].push_back(
-            rectangle(box.center, box.size, item.initial, read.scene.items[owner].initial));
+            outline_of(shape, item.initial, read.scene.items[owner].initial));
       continue;
     }
     Json boxes = Json::array(), wheels = Json::array();
-    for (const Box& box : item.model.shape) boxes.push_back(rectangle(box.center, box.size));
+    for (const BodyShape& shape : item.model.shape)
+      boxes.push_back(outline_of(shape, item.initial, item.initial));
     for (const Caster& caster : item.model.casters)
       wheels.push_back({{"at", pair(caster.mount.x(), caster.mount.y())},
                         {"heading", caster.heading},

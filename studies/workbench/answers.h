@@ -41,7 +41,7 @@ Json fragility_answer(const Json& cases);
 /// The text of an item that a job names, and the name of its file.
 Json source_answer(const std::string& equipment);
 
-/// What the file of an item describes: where its boxes, casters and centres of mass are, what holds it up,
+/// What the file of an item describes: where its shapes, casters and centres of mass are, what holds it up,
 /// and what `gurney equipment show` says of it.
 /// Answer on a file with errors: these, and the places of its values.
 /// @param name  of the file, as a job names it

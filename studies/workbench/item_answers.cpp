@@ -18,8 +18,11 @@ Json numbers(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json boxes_of(const EquipmentModel& model) {
   Json all = Json::array();
-  for (const Box& box : model.shape)
-    all.push_back({{"at", numbers(box.center)}, {"size", numbers(box.size)}});
+  const char* const forms[] = {"box", "cylinder", "sphere", "hull"};
+  for (const BodyShape& shape : model.shape)
+    all.push_back({{"at", numbers(shape.center)},
+                   {"size", numbers(shape.size)},
+                   {"form", forms[shape.solid.index()]}});
   return all;
 }
 

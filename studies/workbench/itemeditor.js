@@ -8,9 +8,12 @@ const kViews = {
 const kFields = {
   centre: [['mass_kg', 'mass', 'kg', 1], ['center_of_mass_mm', 'centre of mass x, y, z', 'mm', 3], ['inertia_box_mm', 'inertia of a box x, y, z', 'mm', 3]],
   box: [['size_mm', 'size x, y, z', 'mm', 3], ['center_mm', 'middle x, y, z', 'mm', 3]],
+  cylinder: [['radius_mm', 'radius', 'mm', 1], ['length_mm', 'length', 'mm', 1], ['center_mm', 'middle x, y, z', 'mm', 3]],
+  sphere: [['radius_mm', 'radius', 'mm', 1], ['center_mm', 'middle x, y, z', 'mm', 3]],
+  hull: [['position_mm', 'origin x, y, z', 'mm', 3]],
   caster: [['position_mm', 'mount x, y, z', 'mm', 3], ['heading_deg', 'turned', 'deg', 1]],
 };
-const kPlaces = { centre: 'center_of_mass_mm', box: 'center_mm', caster: 'position_mm' };
+const kPlaces = { centre: 'center_of_mass_mm', box: 'center_mm', cylinder: 'center_mm', sphere: 'center_mm', hull: 'position_mm', caster: 'position_mm' };
 const kNewParts = {
   box: '[[shape]]\nsize_mm = [300, 300, 300]\ncenter_mm = [0, 0, 150]\n',
   caster: '[[caster]]\ntype = "R100"\nposition_mm = [0, 0, 0]\n',
@@ -85,7 +88,7 @@ class ItemEditor {
   partsOf({ tree, boxes, casters, chassis }) {
     const list = (key) => tree.keys[key]?.list || [];
     const parts = { 'centre 0': { kind: 'centre', title: 'centre of mass of the chassis', at: chassis, table: tree.keys.chassis } };
-    boxes.forEach((box, i) => (parts[`box ${i}`] = { ...box, kind: 'box', title: `box ${i + 1}`, table: list('shape')[i], array: 'shape' }));
+    boxes.forEach((box, i) => (parts[`box ${i}`] = { ...box, kind: 'box', title: `${box.form} ${i + 1}`, table: list('shape')[i], array: 'shape' }));
     casters.forEach((caster, i) => (parts[`caster ${i}`] = { ...caster, kind: 'caster', title: caster.name, table: list('caster')[i], array: 'caster' }));
     for (const id of Object.keys(parts)) if (!parts[id].table) delete parts[id];
     return parts;
@@ -119,8 +122,8 @@ class ItemEditor {
   }
 
   move(id, at) {
-    const { kind } = this.parts[id];
-    return this.wish(id, kPlaces[kind], `[${at.map((value) => +value.toFixed(1)).join(', ')}]`);
+    const { kind, form = kind } = this.parts[id];
+    return this.wish(id, kPlaces[form], `[${at.map((value) => +value.toFixed(1)).join(', ')}]`);
   }
 
   async addPart(kind) {
@@ -157,10 +160,10 @@ class ItemEditor {
 
   showFields() {
     if (!this.parts[this.chosen]) return;
-    const { kind, title, table } = this.parts[this.chosen];
+    const { kind, form = kind, title, table } = this.parts[this.chosen];
     element('item-part').querySelector('legend').textContent = title;
     element('item-numbers').replaceChildren(
-      ...kFields[kind].filter(([key]) => kind !== 'centre' || table.keys[key]).map(([key, words, unit, count]) => this.field(key, words, unit, count, valueOf(table.keys[key]))),
+      ...kFields[form].filter(([key]) => kind !== 'centre' || table.keys[key]).map(([key, words, unit, count]) => this.field(key, words, unit, count, valueOf(table.keys[key]))),
     );
     element('item-of-caster').hidden = kind !== 'caster';
     element('item-remove').hidden = kind === 'centre';
@@ -257,7 +260,7 @@ class ItemEditor {
       });
       return at;
     };
-    const placeOf = (id) => valueOf(this.parts[id].table.keys[kPlaces[this.parts[id].kind]]);
+    const placeOf = (id) => valueOf(this.parts[id].table.keys[kPlaces[this.parts[id].form || this.parts[id].kind]]) || [0, 0, 0];
     svg.addEventListener('pointerdown', (event) => {
       const id = event.target.closest('[data-part]')?.dataset.part;
       if (!id) return;

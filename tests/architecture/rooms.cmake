@@ -33,13 +33,13 @@ set(GURNEY_ROOMS
     groundmotions/scaling groundmotions/suites"
   "groundmotions/buildings: engine/base engine/config groundmotions/record groundmotions/measures"
   "groundmotions/tools: groundmotions/synthetic"
-  "equipment/catalogue: engine/base engine/config engine/scene"
+  "equipment/catalogue: engine/base engine/config engine/scene engine/contact engine/bullet"
   "studies/build_info:"
   "studies/statistics: engine/base"
   "studies/verification/scenes: engine/base engine/scene engine/response"
   "studies/verification: engine/base engine/config engine/scene engine/contact engine/response
     engine/solver engine/run studies/verification/scenes"
-  "studies/job: engine/base engine/config engine/scene engine/run groundmotions/record
+  "studies/job: engine/base engine/config engine/scene engine/contact engine/run groundmotions/record
     groundmotions/measures groundmotions/processing groundmotions/assembly groundmotions/synthetic
     groundmotions/scaling groundmotions/suites groundmotions/buildings equipment/catalogue"
   "studies/units: engine/base engine/config"

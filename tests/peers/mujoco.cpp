@@ -46,7 +46,7 @@ std::string walls_text(const CrossCheck& check) {
 
 std::string boxes_text(const EquipmentModel& item) {
   std::string text;
-  for (const Box& box : item.shape)
+  for (const BodyShape& box : item.shape)
     text += fmt::format(
         "<geom type='box' size='{:.17g} {:.17g} {:.17g}' pos='{:.17g} {:.17g} {:.17g}' "
         "contype='0' conaffinity='2'/>",

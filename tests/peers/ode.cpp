@@ -43,7 +43,7 @@ class OdeTrolley {
     for (const Wall& wall : check.walls)
       walls_.push_back(
           dCreatePlane(nullptr, wall.normal.x(), wall.normal.y(), wall.normal.z(), wall.offset));
-    for (const Box& box : item.shape) {
+    for (const BodyShape& box : item.shape) {
       boxes_.push_back(dCreateBox(nullptr, box.size.x(), box.size.y(), box.size.z()));
       dGeomSetBody(boxes_.back(), chassis_);
       const Vector3 at = box.center - center_;

@@ -23,7 +23,7 @@ Response push_over(const Vector3& direction) {
     caster.brake_torque = std::numeric_limits<double>::infinity();
   }
   scene.items[0].model.marked_points.clear();
-  const Box& box = scene.items[0].model.shape[0];
+  const BodyShape& box = scene.items[0].model.shape[0];
   for (int k = 0; k < 8; ++k)
     scene.items[0].model.marked_points.push_back(
         {"corner", box.center + 0.5 * box.size.cwiseProduct(Vector3(k & 1 ? 1 : -1, k & 2 ? 1 : -1,

@@ -32,7 +32,7 @@ class WallRun {
     scene_.items[0].initial.velocity = {rebound.approach + rebound.slowing * kBefore, 0, 0};
     const double gap = (rebound.approach + rebound.slowing * kBefore / 2) * kBefore;
     double front = 0;
-    for (const Box& box : scene_.items[0].model.shape)
+    for (const BodyShape& box : scene_.items[0].model.shape)
       front = std::max(front, box.center.x() + box.size.x() / 2);
     RoomShape wall;
     wall.name = wall.material = "wall";

@@ -31,7 +31,7 @@ void lock(Caster& caster) {
 /// Around the chassis alone, above the wheels.
 void add_walls(CrossCheck& check) {
   constexpr double kThickness = 0.2, kLength = 6, kBottom = 0.2, kHeight = 2;
-  const Box& box = check.scene.items[0].model.shape[0];
+  const BodyShape& box = check.scene.items[0].model.shape[0];
   for (int axis = 0; axis < 2; ++axis)
     for (const double side : {1.0, -1.0}) {
       const double inner = 0.5 * box.size[axis] + kClearance;

@@ -155,7 +155,7 @@ TEST(BodyContact, ATippingChassisLandsOnItsSkirtAndDoesNotSink) {
   const Job job = tipping_job();
   const Response response = run(job);
   ASSERT_EQ(response.outcome, Outcome::kStopped) << response.cause;
-  const Box& skirt = job.scene.items[0].model.shape.back();
+  const BodyShape& skirt = job.scene.items[0].model.shape.back();
   const double bottom = skirt.center.z() - 0.5 * skirt.size.z(), edge = 0.5 * skirt.size.y();
   const double sink =
       response.items[0].history[0].wheels[0].normal_force / Tread().normal_stiffness;

@@ -31,7 +31,7 @@ double made(const Response& response) {
 double largest_mobility(const EquipmentModel& model, const Impact& impact) {
   const MassProperties whole = whole_item(model);
   double far = 0;
-  for (const Box& box : model.shape)
+  for (const BodyShape& box : model.shape)
     far = std::max(far, (box.center - whole.center_of_mass).norm() + 0.5 * box.size.norm());
   const double inertia = model.chassis_inertia.diagonal().minCoeff();
   double mobility = 1 / model.chassis_mass + far * far / inertia;

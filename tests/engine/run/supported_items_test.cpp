@@ -124,7 +124,7 @@ TEST(SupportedItems, RideOnATrolleyOnCasters) {
   scene.items[0].name = "trolley";
   EquipmentModel& trolley = scene.items[0].model = small::trolley({0, 0, 0, 0}, Tread{});
   double top = 0;
-  for (const Box& box : trolley.shape) top = std::max(top, box.center.z() + box.size.z() / 2);
+  for (const BodyShape& box : trolley.shape) top = std::max(top, box.center.z() + box.size.z() / 2);
   trolley.material = "steel";
   scene.floor_material = "concrete";
   scene.items.push_back(box_on({Support::Kind::kItem, 0, top}, 3, {0.1, 0.1, 0.1}, "rubber"));

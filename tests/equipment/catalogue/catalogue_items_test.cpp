@@ -118,7 +118,7 @@ TEST_P(EveryItem, KeepsItsMassInsideItsShape) {
   const LoadedItem item = assemble_item(describe(GetParam()));
   const Vector3 center = whole_item(item.model).center_of_mass;
   Vector3 low = item.model.shape[0].center, high = low;
-  for (const Box& box : item.model.shape) {
+  for (const BodyShape& box : item.model.shape) {
     low = low.cwiseMin(box.center - box.size / 2);
     high = high.cwiseMax(box.center + box.size / 2);
   }

@@ -117,9 +117,11 @@ void compare_with_page(const std::string& section, const std::string& text, Read
 }
 
 TEST(EquipmentPage, HasEveryKeyTheReadersKnowAndNoOther) {
-  compare_with_page("Item file",
-                    "[chassis]\n[contact]\n[[shape]]\n[[caster]]\n[[payload]]\n[[marked_point]]\n",
-                    [](config::Table table) { read_item(table); });
+  compare_with_page(
+      "Item file",
+      "[chassis]\n[contact]\n[[shape]]\n[[shape]]\nkind = \"cylinder\"\n[[shape]]\nkind = "
+      "\"hull\"\n[[shape]]\nkind = \"mesh\"\n[[caster]]\n[[payload]]\n[[marked_point]]\n",
+      [](config::Table table) { read_item(table); });
   compare_with_page("Caster file", "[tread]\n[axle]\n[swivel]\n",
                     [](config::Table table) { read_caster_type(table); });
   compare_with_page("Floor file", "", [](config::Table table) { read_floor(table); });

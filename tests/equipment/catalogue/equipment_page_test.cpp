@@ -82,7 +82,8 @@ std::string size_of(const EquipmentModel& item) {
     low = low.cwiseMin(from);
     high = high.cwiseMax(to);
   };
-  for (const Box& box : item.shape) include(box.center - box.size / 2, box.center + box.size / 2);
+  for (const BodyShape& box : item.shape)
+    include(box.center - box.size / 2, box.center + box.size / 2);
   for (const Caster& caster : item.casters) include(caster.mount, caster.mount);
   const Vector3 size = kMillimetersPerMeter * (high - low);
   return fmt::format("{:.0f} x {:.0f} x {:.0f}", size.x(), size.y(), size.z());

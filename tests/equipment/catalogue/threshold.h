@@ -45,7 +45,7 @@ inline Trial trial(const std::string& name, const Threshold& threshold, bool pus
     front = std::max(front, center + caster.wheel_radius);
     rear = std::min(rear, center - caster.wheel_radius);
   }
-  for (const Box& box : model.shape) {
+  for (const BodyShape& box : model.shape) {
     back = std::min(back, box.center.x() - box.size.x() / 2);
     top = std::max(top, box.center.z() + box.size.z() / 2);
   }

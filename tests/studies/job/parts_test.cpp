@@ -143,8 +143,9 @@ TEST(JobParts, RefuseWhatCannotBe) {
   EXPECT_THAT(errors(kDrawer + kDrawer), HasSubstr("must differ from the name of part[0]"));
   std::string floating = kLamp;
   floating.replace(floating.find("0, 700]"), 7, "0, 750]");
-  EXPECT_THAT(errors(floating),
-              HasSubstr("content 'lamp': no box of the chassis has its top below it at 750 mm"));
+  EXPECT_THAT(
+      errors(floating),
+      HasSubstr("content 'lamp': no shape of the chassis has a level top below it at 750 mm"));
   EXPECT_THAT(errors(changed(kDrawer, "mass_kg = 2", "mass_kg = 0")),
               HasSubstr("part[0].mass_kg = 0: must be"));
 }

@@ -23,7 +23,7 @@ TEST(Supports, PlaceAnItemInTheAxesOfWhatItStandsOn) {
   EXPECT_EQ(monitor.on->kind, Support::Kind::kItem);
   EXPECT_EQ(monitor.on->index, 0U);
   double top = 0;
-  for (const Box& box : job.scene.items[0].model.shape)
+  for (const BodyShape& box : job.scene.items[0].model.shape)
     top = std::max(top, box.center.z() + box.size.z() / 2);
   EXPECT_DOUBLE_EQ(monitor.on->height, top);
   EXPECT_NEAR(monitor.initial.position.x(), 1, 1e-12);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/vector.h"
+
+namespace gurney {
+
+/// Those of many points that the corners of their convex hull are among, sorted: Bullet's
+/// btConvexHullComputer, which resolves 1e-4 of their size. Empty: they span no volume that it sees.
+std::vector<Vector3> hull_corners(std::vector<Vector3> points);
+
+}  // namespace gurney
