@@ -17,10 +17,9 @@ Eigen::Matrix3Xd integrated(const Eigen::Matrix3Xd& values, double time_step) {
   return result;
 }
 
-Eigen::Matrix3Xd about_horizontal_axes(const Eigen::Matrix2Xd& rows) {
-  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, rows.cols());
-  result.topRows<2>() = rows;
-  return result;
+Eigen::Matrix3Xd rocking_times(double factor, Eigen::Matrix3Xd rotation) {
+  rotation.topRows<2>() *= factor;
+  return rotation;
 }
 
 }  // namespace
@@ -51,21 +50,22 @@ FloorMotion FloorMotion::with_rotation(const FloorRotation& rotation) const {
   require(rotation.angle.allFinite() && rotation.acceleration.allFinite(),
           "the rotation of a floor must be finite at every sample");
   FloorMotion result = *this;
-  result.angle_ = about_horizontal_axes(rotation.angle);
-  result.angular_acceleration_ = about_horizontal_axes(rotation.acceleration);
+  result.angle_ = rotation.angle;
+  result.angular_acceleration_ = rotation.acceleration;
   result.angle_integral_ = integrated(result.angle_, time_step_);
   result.angular_velocity_ = integrated(result.angular_acceleration_, time_step_);
   return result;
 }
 
-FloorMotion FloorMotion::with_rotation_times(double factor) const {
+FloorMotion FloorMotion::with_rocking_times(double factor) const {
   if (!rotates() || factor == 1) return *this;
-  return with_rotation({factor * angle_.topRows<2>(), factor * angular_acceleration_.topRows<2>()});
+  return with_rotation(
+      {rocking_times(factor, angle_), rocking_times(factor, angular_acceleration_)});
 }
 
 FloorRotation FloorMotion::rotation() const {
   if (!rotates()) return {};
-  return {angle_.topRows<2>(), angular_acceleration_.topRows<2>()};
+  return {angle_, angular_acceleration_};
 }
 
 double FloorMotion::duration() const {

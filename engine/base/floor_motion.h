@@ -7,12 +7,12 @@
 
 namespace gurney {
 
-/// Rocking of a floor: right-handed rotations about its two horizontal axes, in rows. Both histories
-/// are piecewise linear; the second one is given, not the derivative of the first, which would be a
+/// Rotation of a floor: right-handed about its three axes, in rows; it rocks about the horizontal ones
+/// and yaws about the vertical. Both histories are piecewise linear; the second one is given, not the derivative of the first, which would be a
 /// row of impulses.
 struct FloorRotation {
-  Eigen::Matrix2Xd angle;         ///< small: sin(angle) = angle, cos(angle) = 1 [rad]
-  Eigen::Matrix2Xd acceleration;  ///< second derivative of the angle [rad/s2]
+  Eigen::Matrix3Xd angle;         ///< small: sin(angle) = angle, cos(angle) = 1 [rad]
+  Eigen::Matrix3Xd acceleration;  ///< second derivative of the angle [rad/s2]
 };
 
 /// The floor's acceleration and rotation in floor axes, piecewise linear between samples and zero
@@ -31,8 +31,8 @@ class FloorMotion {
   /// @throws Error for another number of samples and for values that are not finite.
   FloorMotion with_rotation(const FloorRotation& rotation) const;
 
-  /// Copy with the rotation times a factor.
-  FloorMotion with_rotation_times(double factor) const;
+  /// Copy with the rocking times a factor; the yaw stays.
+  FloorMotion with_rocking_times(double factor) const;
 
   double time_step() const { return time_step_; }
   double duration() const;  ///< time of the last sample [s]; 0 for a floor at rest

@@ -206,8 +206,79 @@ Uncertain<ItemDescription> read_changed(const Node& tree, const Document& origin
   return read(document, remark, errors);
 }
 
+/// A table [variant.NAME] and the variants that it extends.
+struct Variant {
+  Node changes;
+  std::vector<std::string> bases;
+};
+
+std::vector<std::string> names_of(const std::vector<Variant>& variants) {
+  std::vector<std::string> names;
+  for (const Variant& variant : variants) names.push_back(variant.changes.key);
+  return names;
+}
+
+/// Adds a variant behind those that it extends, each once.
+/// @param begun  names of what is there already, or is being added
+void add_chain(const std::vector<Variant>& known, const std::string& name,
+               std::vector<std::string>& begun, std::vector<const Node*>& chain) {
+  if (std::ranges::find(begun, name) != begun.end()) return;
+  begun.push_back(name);
+  for (const Variant& variant : known) {
+    if (variant.changes.key != name) continue;
+    for (const std::string& base : variant.bases) add_chain(known, base, begun, chain);
+    chain.push_back(&variant.changes);
+  }
+}
+
+/// What is laid over the item for these variants, in order.
+std::vector<const Node*> chain_of(const std::vector<Variant>& known,
+                                  const std::vector<std::string>& names) {
+  std::vector<const Node*> chain;
+  std::vector<std::string> begun;
+  for (const std::string& name : names) add_chain(known, name, begun, chain);
+  return chain;
+}
+
+/// Takes the key `extends` out of a variant.
+std::vector<std::string> take_bases(Node& variant, Document& document) {
+  std::vector<std::string> bases;
+  std::erase_if(variant.elements, [&](const Node& each) {
+    if (each.key != "extends") return false;
+    const std::vector<Node> stated =
+        each.kind == Node::Kind::kArray ? each.elements : std::vector<Node>{each};
+    for (const Node& base : stated)
+      if (base.kind == Node::Kind::kText)
+        bases.push_back(base.text);
+      else
+        document.note(base.place, "variant." + variant.key + ".extends = " + describe(base) +
+                                      ": must be the name of a variant, or an array of names");
+    return true;
+  });
+  return bases;
+}
+
+/// Notes bases that are not there, and variants that extend each other.
+void check_bases(const std::vector<Variant>& variants, Document& document) {
+  for (const Variant& variant : variants) {
+    const std::string& name = variant.changes.key;
+    for (const std::string& base : variant.bases) {
+      const std::string unknown = unknown_variant({base}, names_of(variants));
+      std::vector<std::string> begun;
+      std::vector<const Node*> chain;
+      add_chain(variants, base, begun, chain);
+      if (!unknown.empty())
+        document.note(variant.changes.key_place, "variant." + name + ".extends: " + unknown);
+      else if (std::ranges::find(begun, name) != begun.end())
+        document.note(variant.changes.key_place,
+                      "variant." + name + ".extends = \"" + base +
+                          "\": must not extend itself, by others either");
+    }
+  }
+}
+
 /// Takes the tables [variant.NAME] from a document and leaves those that are tables.
-std::vector<Node> take_variants(Document& document) {
+std::vector<Variant> take_variants(Document& document) {
   const std::optional<Node> taken = document.take("variant");
   if (!taken) return {};
   if (taken->kind != Node::Kind::kTable) {
@@ -215,20 +286,17 @@ std::vector<Node> take_variants(Document& document) {
                   "variant = " + describe(*taken) + ": must be tables [variant.NAME]");
     return {};
   }
-  std::vector<Node> variants;
-  for (const Node& each : taken->elements)
-    if (each.kind == Node::Kind::kTable)
-      variants.push_back(each);
-    else
+  std::vector<Variant> variants;
+  for (Node each : taken->elements)
+    if (each.kind == Node::Kind::kTable) {
+      std::vector<std::string> bases = take_bases(each, document);
+      variants.push_back({std::move(each), std::move(bases)});
+    } else {
       document.note(each.place, "variant." + each.key + " = " + describe(each) +
                                     ": must be a table [variant." + each.key + "]");
+    }
+  check_bases(variants, document);
   return variants;
-}
-
-std::vector<std::string> names_of(const std::vector<Node>& variants) {
-  std::vector<std::string> names;
-  for (const Node& variant : variants) names.push_back(variant.key);
-  return names;
 }
 
 }  // namespace
@@ -249,18 +317,16 @@ std::string unknown_variant(const std::vector<std::string>& wanted,
 Uncertain<ItemDescription> load_item_description(const std::string& file,
                                                  const std::vector<std::string>& variants) {
   Document document(file);
-  const std::vector<Node> known = take_variants(document);
+  const std::vector<Variant> known = take_variants(document);
   const std::string unknown = unknown_variant(variants, names_of(known));
   require(unknown.empty(), file + ": " + unknown);
 
   const Node tree = document.tree();
   Diagnostics errors;  // of several readings of one file, each line once
   Uncertain<ItemDescription> item = read(document, "", errors);
-  for (const Node& variant : known) read_changed(tree, document, {&variant}, errors);
-  std::vector<const Node*> selected;
-  for (const std::string& name : variants)
-    for (const Node& variant : known)
-      if (variant.key == name) selected.push_back(&variant);
+  for (const std::string& name : names_of(known))
+    read_changed(tree, document, chain_of(known, {name}), errors);
+  const std::vector<const Node*> selected = chain_of(known, variants);
   if (!selected.empty()) item = read_changed(tree, document, selected, errors);
   errors.raise();
   item.add(

@@ -88,8 +88,9 @@ Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& o
   caster.heading = option_at(options.headings, i, place.heading);
   caster.swivels = place.swivels;
   const bool braked = option_at(options.brakes, i, place.brake_on);
-  if (braked) {
-    caster.brake_torque = type.brake_torque;
+  const double share = option_at(options.brake_shares, i, 1.0);
+  if (braked && share > 0) {
+    caster.brake_torque = share * type.brake_torque;
     caster.brake_sliding_ratio = type.brake_sliding_ratio;
   }
   add_switched(assumptions, type.brake_assumptions, braked,

@@ -20,6 +20,7 @@ struct ItemOptions {
   std::optional<FloorCovering> floor;   ///< none: the casters' constants as they are
   std::vector<double> headings;         ///< one for each caster [rad]
   std::vector<bool> brakes;             ///< one for each caster, true: on
+  std::vector<double> brake_shares;     ///< one for each caster, of its torque where it is on, 0..1
   std::vector<bool> swivel_locks;       ///< one for each caster, true: locked
   std::vector<bool> brakes_drawn;       ///< as brakes, true: each draw decides
   std::vector<bool> locks_drawn;        ///< the same of swivel_locks

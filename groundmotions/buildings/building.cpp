@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -122,13 +123,26 @@ class Damper {
       rayleigh_ = {static_cast<std::size_t>(pair[0]) - 1, static_cast<std::size_t>(pair[1]) - 1};
   }
 
-  /// Notes damping that is not below critical; false then.
-  bool apply(Table& table, ModalAxis& axis) const {
+  /// Sets it for all modes, and drops those not retained. Notes damping that is not below critical;
+  /// false then.
+  bool apply(Table& table, ModalAxis& axis) const { return apply(table, axis, modes_); }
+
+  /// Likewise for modes of floors that twist, which are all retained.
+  bool apply(Table& table, std::vector<TorsionMode>& modes) const {
+    ModalAxis axis(modes.size());
+    for (std::size_t i = 0; i < modes.size(); ++i) axis[i].omega = modes[i].omega;
+    if (!apply(table, axis, axis.size())) return false;
+    for (std::size_t i = 0; i < modes.size(); ++i) modes[i].damping = axis[i].damping;
+    return true;
+  }
+
+ private:
+  bool apply(Table& table, ModalAxis& axis, std::size_t retained) const {
     if (rayleigh_)
       set_rayleigh_damping(axis, ratio_, rayleigh_->first, rayleigh_->second);
     else
       set_damping(axis, ratio_);
-    axis.resize(modes_);
+    axis.resize(retained);
     for (std::size_t i = 0; i < axis.size(); ++i)
       if (!(axis[i].damping < 1)) {
         table.note("rayleigh_modes",
@@ -140,7 +154,6 @@ class Damper {
     return true;
   }
 
- private:
   double ratio_;
   std::size_t modes_;
   std::optional<std::pair<std::size_t, std::size_t>> rayleigh_;
@@ -168,6 +181,36 @@ YieldingStoreys read_yield(Table in, const Eigen::VectorXd& mass,
       storeys.damping[i][static_cast<Eigen::Index>(k)] = axes[i][k].damping;
   }
   return storeys;
+}
+
+/// One number for all floors, or one for each.
+Eigen::VectorXd read_each(Table& in, const std::string& key, const Range& range,
+                          Eigen::Index floors, std::optional<double> fallback = {}) {
+  if (in.is_array(key)) return vector(in.numbers(key, range, static_cast<std::size_t>(floors)));
+  return Eigen::VectorXd::Constant(floors, in.number(key, range, fallback));
+}
+
+/// Floors that twist where the table `torsion` has an eccentricity.
+/// @param twisting  its mass and stiffness are those of the building
+void read_torsion(Table& table, TorsionalBuilding twisting, const Damper& damper,
+                  Building& building) {
+  auto in = table.table("torsion");
+  if (!in) return;
+  const std::size_t before = table.document().errors();
+  for (const char* other : {"modes", "isolation", "floor_rotation"})
+    exclude(table, other, "torsion");
+  const Eigen::Index floors = building.storeys;
+  const Range ratio = Range::within(0.1, 10), far = Range::within(-100, 100);
+  twisting.eccentricity.resize(2, floors);
+  twisting.eccentricity.row(0) = read_each(*in, "eccentricity_h1_m", far, floors, 0.0).transpose();
+  twisting.eccentricity.row(1) = read_each(*in, "eccentricity_h2_m", far, floors, 0.0).transpose();
+  twisting.gyration = in->number("radius_of_gyration_m", Range::positive());
+  twisting.frequency_ratio = in->number("frequency_ratio", ratio);
+  if (table.document().errors() > before || twisting.mass.size() != floors ||
+      twisting.eccentricity.isZero(0))
+    return;
+  building.torsion = torsion_modes(twisting);
+  damper.apply(table, building.torsion);
 }
 
 /// Storey by storey, from stiffnesses or from a period and a taper.
@@ -204,8 +247,13 @@ std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
     }
     if (!damper.apply(table, axes[i])) return axes;
   }
+  read_torsion(table,
+               {.mass = vector(mass),
+                .stiffness = {shear_stiffness(stiffness[0]), shear_stiffness(stiffness[1])}},
+               damper, building);
   if (auto yield = table.table("yield")) {
     exclude(table, "modes", "yield; storeys that yield have no modes");
+    exclude(table, "torsion", "yield: storeys that yield do not twist");
     exclude(table, "isolation", "yield: what stands on isolators is elastic");
     exclude(table, "floor_rotation", "yield: floors of storeys in shear stay level");
     if (axes[1].size() == count)
@@ -214,8 +262,10 @@ std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
   return axes;
 }
 
-/// @param height  is set where the building's keys state it
-std::array<ModalAxis, 2> read_generic(Table& table, int storeys, std::optional<double>& height) {
+/// @param building  its height and floors that twist are set where the table has them
+std::array<ModalAxis, 2> read_generic(Table& table, Building& building) {
+  const int storeys = building.storeys;
+  std::optional<double>& height = building.height;
   const Damper damper(table, storeys);
   const std::size_t before = table.document().errors();
   std::array<double, 2> period;
@@ -234,11 +284,15 @@ std::array<ModalAxis, 2> read_generic(Table& table, int storeys, std::optional<d
       "shear_flexure_ratio", Range::within(0, 1000).open_above().with_infinity(), kInfinity);
   std::array<ModalAxis, 2> axes;
   if (table.document().errors() > before) return axes;
+  TorsionalBuilding frame{.mass = Eigen::VectorXd::Ones(storeys)};
+  frame.stiffness.fill(shear_flexure_stiffness(storeys, alpha0));
   for (std::size_t i = 0; i < 2; ++i) {
-    axes[i] = modes_of(Eigen::VectorXd::Ones(storeys), shear_flexure_stiffness(storeys, alpha0));
+    axes[i] = modes_of(frame.mass, frame.stiffness[i]);
+    frame.stiffness[i] *= std::pow(2 * pi / period[i] / axes[i].front().omega, 2);
     scale_to_period(axes[i], period[i]);
-    if (!damper.apply(table, axes[i])) break;
+    if (!damper.apply(table, axes[i])) return axes;
   }
+  read_torsion(table, std::move(frame), damper, building);
   return axes;
 }
 
@@ -316,16 +370,21 @@ Building read_building(Table& table, const std::string& name) {
   const std::size_t before = table.document().errors();
   Building building;
   building.name = table.text("name", name);
+  const std::size_t kind = table.choice("kind", {"shear", "generic", "modal", "tables"});
+  if (kind == 3) {
+    FloorTables tables = read_floor_tables(table);
+    building.storeys = std::max(0, static_cast<int>(tables.floors.size()) - 1);
+    if (table.document().errors() == before) building.tables = std::move(tables);
+    return building;
+  }
   building.storeys = table.integer("storeys", 1, kMaxStoreys);
-  const std::size_t kind = table.choice("kind", {"shear", "generic", "modal"});
   const bool modal = kind == 2;
   if (modal) {
     for (const Direction direction : kDirections)
       building.axes[static_cast<std::size_t>(direction)] =
           read_modes(table, name_of(direction), building.storeys);
   } else {
-    const auto axes = kind == 0 ? read_shear(table, building)
-                                : read_generic(table, building.storeys, building.height);
+    const auto axes = kind == 0 ? read_shear(table, building) : read_generic(table, building);
     building.axes = {axes[0], axes[1], {}};
     if (auto vertical = table.table("vertical"))
       building.axes[2] = read_vertical(*vertical, building.storeys);
@@ -343,10 +402,37 @@ Building read_building(Table& table, const std::string& name) {
   return rigid;
 }
 
+std::string name_of_floor(const Building& building, int floor) {
+  return building.tables ? building.tables->floors[static_cast<std::size_t>(floor)]
+                         : std::to_string(floor);
+}
+
+std::optional<int> floor_of(const Building& building, const std::string& name) {
+  for (int floor = 0; floor <= building.storeys; ++floor)
+    if (name_of_floor(building, floor) == name) return floor;
+  return name == "roof" ? std::optional(building.storeys) : std::nullopt;
+}
+
+std::string floor_names(const Building& building) {
+  if (!building.tables) return fmt::format("roof, or a number from 0 to {}", building.storeys);
+  return fmt::format("{} or roof", fmt::join(building.tables->floors, ", "));
+}
+
 int read_floor(Table& table, const Building& building) {
-  if (!table.is_text("floor")) return table.integer("floor", 0, building.storeys);
-  table.choice("floor", {"roof"});
-  return building.storeys;
+  const bool named = building.tables.has_value();
+  if (!table.is_text("floor")) {
+    const int number = table.integer("floor", 0, named ? kMaxStoreys : building.storeys);
+    if (!named) return number;
+    const std::optional<int> found = floor_of(building, std::to_string(number));
+    if (!found)
+      table.note("floor", fmt::format(" = {}: must be {}", number, floor_names(building)));
+    return found.value_or(0);
+  }
+  std::vector<std::string> names;
+  if (named) names = building.tables->floors;
+  if (std::ranges::find(names, "roof") == names.end()) names.emplace_back("roof");
+  const std::size_t found = table.choice("floor", names);
+  return std::min(static_cast<int>(found) + (named ? 0 : building.storeys), building.storeys);
 }
 
 Building building_from_file(const std::string& path) {

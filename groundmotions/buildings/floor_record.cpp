@@ -34,9 +34,11 @@ void report_finding(const std::string& finding, bool too_large, const std::strin
 
 /// Peak rotation of the floor; a warning where it is not small.
 void report_rotation(Record& floor) {
-  const Vector2 peak = floor.rotation->angle.cwiseAbs().rowwise().maxCoeff();
-  floor.processing.push_back(fmt::format(
-      "the floor rotates: peak {:.3g} rad about h1, {:.3g} rad about h2", peak.x(), peak.y()));
+  const Vector3 peak = floor.rotation->angle.cwiseAbs().rowwise().maxCoeff();
+  floor.processing.push_back(
+      peak.z() > 0 ? fmt::format("the floor twists: peak {:.3g} rad about the vertical", peak.z())
+                   : fmt::format("the floor rotates: peak {:.3g} rad about h1, {:.3g} rad about h2",
+                                 peak.x(), peak.y()));
   if (peak.maxCoeff() > kLargestRotation)
     floor.warnings.push_back(
         fmt::format("the floor rotates by {:.3g} rad; the engine takes rotations as small, up to "
@@ -137,6 +139,7 @@ std::pair<double, double> period_range(const Building& building) {
   };
   for (const ModalAxis& axis : building.axes)
     for (const Mode& mode : axis) add(mode.omega);
+  for (const TorsionMode& mode : building.torsion) add(mode.omega);
   if (building.isolation) {
     add(std::sqrt(building.isolation->stiffness));
     if (building.isolation->fast_strength > 0) low = std::min(low, kShortestPeriod);
@@ -190,6 +193,7 @@ struct FloorSample {
   Vector3 acceleration;
   Vector2 dip = Vector2::Zero(), dip_acceleration = Vector2::Zero();  ///< towards h1 and h2
   double drift = 0;                                                   ///< of a storey [m]
+  double yaw = 0, yaw_acceleration = 0;
 };
 
 struct History {
@@ -403,14 +407,35 @@ History solve_fixed(const Ground& ground, const Building& building, int floor, d
   });
 }
 
+History solve_twisting(const Ground& ground, const Building& building, int floor,
+                       const Vector2& place, double time_step, double window) {
+  TorsionResponse level(building.torsion, floor, place, time_step);
+  ModalResponse vertical(building[Direction::kVertical], floor, time_step);
+  const auto sample = [&](const Vector3& below, double up) {
+    const Vector3 moved = level.acceleration(below.head<2>());
+    FloorSample now{Vector3(moved.x(), moved.y(), up)};
+    now.yaw = level.yaw();
+    now.yaw_acceleration = moved.z();
+    if (building.height) now.drift = level.storey_drift();
+    return now;
+  };
+  const Vector3 start = ground.at(0);
+  return run(ground, time_step, window, sample(start, vertical.at_rest(start.z())),
+             [&](const Vector3& a, const Vector3& b) {
+               level.step(a.head<2>(), b.head<2>());
+               return sample(b, vertical.step(a.z(), b.z()));
+             });
+}
+
 /// A floor that dips towards h1 turns about h2; one that dips towards h2, against h1.
 FloorRotation rotation_of(const std::vector<FloorSample>& floor) {
   const auto samples = static_cast<Eigen::Index>(floor.size());
-  FloorRotation rotation{Eigen::Matrix2Xd(2, samples), Eigen::Matrix2Xd(2, samples)};
+  FloorRotation rotation{Eigen::Matrix3Xd(3, samples), Eigen::Matrix3Xd(3, samples)};
   for (Eigen::Index i = 0; i < samples; ++i) {
     const FloorSample& sample = floor[static_cast<std::size_t>(i)];
-    rotation.angle.col(i) << -sample.dip.y(), sample.dip.x();
-    rotation.acceleration.col(i) << -sample.dip_acceleration.y(), sample.dip_acceleration.x();
+    rotation.angle.col(i) << -sample.dip.y(), sample.dip.x(), sample.yaw;
+    rotation.acceleration.col(i) << -sample.dip_acceleration.y(), sample.dip_acceleration.x(),
+        sample.yaw_acceleration;
   }
   return rotation;
 }
@@ -430,9 +455,10 @@ std::string description(const Building& building, int floor) {
       "floor {} of building '{}' ({} storeys, {}; first periods of the building above: h1 {}, h2 "
       "{}, vertical {})",
       floor, building.name, building.storeys,
-      building.isolation  ? building.isolation->name + " isolation"
-      : building.yielding ? "fixed base, storeys yield"
-                          : "fixed base",
+      building.isolation          ? building.isolation->name + " isolation"
+      : building.yielding         ? "fixed base, storeys yield"
+      : !building.torsion.empty() ? "fixed base, floors twist"
+                                  : "fixed base",
       period_text(building[Direction::kH1]), period_text(building[Direction::kH2]),
       period_text(building[Direction::kVertical]));
 }
@@ -482,22 +508,27 @@ void report_isolators(const IsolatedHistory& history, const Isolation& isolation
 
 }  // namespace
 
-bool rotates(const Building& building, int floor) {
+bool rocks(const Building& building, int floor) {
   for (const ModalAxis& axis : horizontal(building))
     for (const Mode& mode : axis)
       if (rotation_of(mode, floor) != 0) return true;
   return false;
 }
 
-BuildingResponse building_response(const Record& ground, const Building& building, int floor) {
+BuildingResponse building_response(const Record& ground, const Building& building, int floor,
+                                   const Vector2& place) {
   require(ground.samples() > 1, fmt::format("record '{}' has no component", ground.name));
   require(floor >= 0 && floor <= building.storeys,
           fmt::format("building '{}' has no floor {}; floors are 0 (the base) to {} (the roof)",
                       building.name, floor, building.storeys));
   BuildingResponse response;
-  response.floor = ground;
   Record& record = response.floor;
-  record.name = fmt::format("{}, floor {} of {}", ground.name, floor, building.name);
+  record = building.tables
+               ? floor_from_tables(ground, *building.tables, static_cast<std::size_t>(floor))
+               : ground;
+  record.name =
+      fmt::format("{}, floor {} of {}", ground.name, name_of_floor(building, floor), building.name);
+  if (building.tables) return response;
   record.processing.push_back(description(building, floor));
   if (floor == 0 && !building.isolation) return response;
 
@@ -520,6 +551,8 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     report_storeys(yielding.storeys, record);
     response.storeys = std::move(yielding.storeys);
     history = std::move(yielding.history);
+  } else if (!building.torsion.empty()) {
+    history = solve_twisting(motion, building, floor, place, time_step, window);
   } else {
     history = solve_fixed(motion, building, floor, time_step, window);
   }
@@ -540,7 +573,7 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
       component->acceleration[i] =
           history.floor[static_cast<std::size_t>(i)].acceleration[static_cast<int>(direction)];
   }
-  if (rotates(building, floor)) {
+  if (rocks(building, floor) || !building.torsion.empty()) {
     record.rotation = rotation_of(history.floor);
     report_rotation(record);
   }
@@ -550,8 +583,9 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
   return response;
 }
 
-Record floor_record(const Record& ground, const Building& building, int floor) {
-  return building_response(ground, building, floor).floor;
+Record floor_record(const Record& ground, const Building& building, int floor,
+                    const Vector2& place) {
+  return building_response(ground, building, floor, place).floor;
 }
 
 }  // namespace gurney::groundmotions

@@ -65,9 +65,13 @@ struct BuildingResponse {
 /// after 120 s, accuracy not reached, energies that do not add up.
 ///
 /// @param floor  0 to building.storeys
-/// @throws Error for another floor and for a ground without components
-BuildingResponse building_response(const Record& ground, const Building& building, int floor);
+/// @param place  on a floor that twists, from the axis of stiffness along h1 and h2; others move alike
+///               everywhere [m]
+/// @throws Error for another floor and for a ground without components, and as floor_from_tables()
+BuildingResponse building_response(const Record& ground, const Building& building, int floor,
+                                   const Vector2& place = Vector2::Zero());
 
-Record floor_record(const Record& ground, const Building& building, int floor);
+Record floor_record(const Record& ground, const Building& building, int floor,
+                    const Vector2& place = Vector2::Zero());
 
 }  // namespace gurney::groundmotions

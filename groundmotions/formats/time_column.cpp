@@ -37,7 +37,7 @@ void check(const std::vector<double>& times, const std::vector<double>& values, 
 }  // namespace
 
 double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
-                 FileErrors& errors) {
+                 FileErrors& errors, double rounding) {
   std::vector<double> steps(times.size());
   std::adjacent_difference(times.begin(), times.end(), steps.begin());
   auto sorted = std::vector(steps.begin() + 1, steps.end());
@@ -63,7 +63,7 @@ double even_step(const std::vector<double>& times, const std::vector<std::size_t
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(std::abs(times[i] - even(i)) <= std::abs(times[worst] - even(worst)))) worst = i;
   const double deviation = std::abs(times[worst] - even(worst)) / mean;
-  if (!(deviation <= kTimeTolerance))
+  if (!(deviation <= kTimeTolerance + rounding / mean))
     errors.add(lines[worst], 1,
                fmt::format("time {} s is off the even grid ({:.9g} s, step {:.9g} s) by {:.3g} "
                            "of the step, {} is allowed; no other time is farther off",

@@ -13,10 +13,11 @@ inline constexpr double kTimeTolerance = 0.01;  ///< of a time from the even gri
 /// The step of evenly spaced times, (last - first) / (count - 1), to twelve digits so that 0.005 is
 /// 0.005 [s]. An error unless it is in (0, 1] and every time is within kTimeTolerance of the even
 /// grid; the message names the largest deviation.
-/// @param times  at least 2
-/// @param lines  of the times in the file, from 1
+/// @param times     at least 2
+/// @param lines     of the times in the file, from 1
+/// @param rounding  of the times besides, where they are printed with few digits [s]
 double even_step(const std::vector<double>& times, const std::vector<std::size_t>& lines,
-                 FileErrors& errors);
+                 FileErrors& errors, double rounding = 0);
 
 /// Why numbers cannot be samples: at least 20 that rise by one step of at most 0.5, or 100 by any,
 /// are times or indices. Empty if they are not.

@@ -24,6 +24,7 @@ struct Component {
   std::optional<Direction> direction;  ///< if the file itself says it
   std::optional<double> azimuth;       ///< clockwise from north, if the file says it [rad]
   std::optional<double> start_time;    ///< of the first sample, if the file says it [s since 1970]
+  double scale = 1;                    ///< factor by which the samples of the file were scaled
   std::string file;                    ///< path as given
   std::string format;                  ///< name of the format that was recognised
   std::string unit;                    ///< of the numbers in the file: "g", "cm/s2", ...
@@ -38,10 +39,12 @@ struct Component {
 struct Record {
   std::string name;
   std::array<std::optional<Component>, 3> components;  ///< indexed by Direction; at least one
-  /// Rotation of a floor about h1 and h2, right-handed, as many samples as the components.
+  /// Rotation of a floor about h1, h2 and the vertical, right-handed, as many samples as the components.
   std::optional<FloorRotation> rotation;
   std::vector<std::string> warnings;    ///< of the files and of their assembly
   std::vector<std::string> processing;  ///< what was done to the samples since, step by step
+  /// Files besides those of the components that a floor motion was read from: path, SHA-256.
+  std::vector<std::pair<std::string, std::string>> floor_files = {};
 
   const std::optional<Component>& operator[](Direction direction) const {
     return components[static_cast<std::size_t>(direction)];

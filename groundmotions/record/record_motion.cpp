@@ -31,7 +31,8 @@ FloorMotion floor_motion(const Record& record, double scale, double angle,
   floor.row(1) = std::sin(angle) * own.row(0) + std::cos(angle) * own.row(1);
   FloorMotion motion(record.time_step(), std::move(floor), record.name);
   if (!record.rotation) return motion;
-  const Eigen::Matrix2d turn = scale * Eigen::Rotation2Dd(angle).toRotationMatrix();
+  Matrix3 turn = scale * Matrix3::Identity();
+  turn.topLeftCorner<2, 2>() *= Eigen::Rotation2Dd(angle).toRotationMatrix();
   return motion.with_rotation(
       {turn * record.rotation->angle, turn * record.rotation->acceleration});
 }

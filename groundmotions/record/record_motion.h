@@ -14,7 +14,7 @@ namespace gurney::groundmotions {
 ///     a_y = f (sin(theta) a_h1 + cos(theta) a_h2)
 ///     a_z = f a_vertical
 ///
-/// and a rotation of the floor about h1 and h2 likewise.
+/// and a rotation of the floor likewise.
 ///
 /// @param scale  > 0
 /// @param angle  of the direction of h1 from the x axis of the item at its start,

@@ -28,8 +28,11 @@ Record scaled(Record record, double factor, const VerticalScaling& vertical,
   if (const std::string warning = dubious_factor(factor); !warning.empty())
     record.warnings.push_back(warning);
   for (const Direction direction : kDirections)
-    if (auto& component = record.components[static_cast<std::size_t>(direction)])
-      component->acceleration *= direction == Direction::kVertical ? up : factor;
+    if (auto& component = record.components[static_cast<std::size_t>(direction)]) {
+      const double own = direction == Direction::kVertical ? up : factor;
+      component->acceleration *= own;
+      component->scale *= own;
+    }
   std::string step = fmt::format("scaled by {:.6g}", factor);
   if (record[Direction::kVertical] && up != factor) step += fmt::format(", vertical by {:.6g}", up);
   record.processing.push_back(step + (reason.empty() ? "" : ": " + reason));

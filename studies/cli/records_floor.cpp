@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -22,18 +21,15 @@ namespace {
 struct FloorOptions {
   RecordSource source;
   std::string building, floor = "roof", output;
+  std::vector<double> place = {0, 0};
   bool overwrite = false, json = false;
 };
 
 int floor_of(const std::string& text, const groundmotions::Building& building) {
-  if (text == "roof") return building.storeys;
-  int floor = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), floor);
-  require(
-      error == std::errc() && end == text.data() + text.size() && floor >= 0 &&
-          floor <= building.storeys,
-      fmt::format("--floor {}: must be roof, or a number from 0 to {}", text, building.storeys));
-  return floor;
+  const std::optional<int> floor = groundmotions::floor_of(building, text);
+  require(floor.has_value(),
+          fmt::format("--floor {}: must be {}", text, groundmotions::floor_names(building)));
+  return *floor;
 }
 
 /// How far the floor dips along a horizontal direction: its rotation about the other one [rad].
@@ -41,6 +37,10 @@ double peak_dip(const FloorRotation& rotation, groundmotions::Direction directio
   return rotation.angle.row(direction == groundmotions::Direction::kH1 ? 1 : 0)
       .cwiseAbs()
       .maxCoeff();
+}
+
+double peak_yaw(const FloorRotation& rotation) {
+  return rotation.angle.row(2).cwiseAbs().maxCoeff();
 }
 
 groundmotions::Peaks peaks_of(const groundmotions::Component& component) {
@@ -53,8 +53,9 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
                                   const groundmotions::BuildingResponse& response) {
   nlohmann::ordered_json facts = {
       {"building", building.name}, {"floor", floor}, {"storeys", building.storeys}};
+  if (building.tables) facts["floor_name"] = name_of_floor(building, floor);
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
-    if (!ground[direction]) continue;
+    if (!ground[direction] || !response.floor[direction]) continue;
     const groundmotions::Peaks below = peaks_of(*ground[direction]);
     const groundmotions::Peaks peak = peaks_of(*response.floor[direction]);
     facts[name_of(direction)] = {{"pga_m_per_s2", below.acceleration},
@@ -64,6 +65,8 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
     if (response.floor.rotation && direction != groundmotions::Direction::kVertical)
       facts[name_of(direction)]["peak_dip_rad"] = peak_dip(*response.floor.rotation, direction);
   }
+  if (response.floor.rotation && !building.torsion.empty())
+    facts["peak_yaw_rad"] = peak_yaw(*response.floor.rotation);
   if (response.isolators)
     facts["isolators"] = {{"peak_m", response.isolators->peak},
                           {"residual_m", response.isolators->residual.norm()}};
@@ -81,7 +84,8 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
 void print_facts(const groundmotions::Building& building, int floor,
                  const groundmotions::Record& ground,
                  const groundmotions::BuildingResponse& response) {
-  fmt::print("{}, floor {} of {}\n", building.name, floor, building.storeys);
+  fmt::print("{}, floor {} of {}\n", building.name, name_of_floor(building, floor),
+             name_of_floor(building, building.storeys));
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!ground[direction]) continue;
     const groundmotions::Peaks below = peaks_of(*ground[direction]);
@@ -90,7 +94,9 @@ void print_facts(const groundmotions::Building& building, int floor,
                name_of(direction), below.acceleration / kStandardGravity,
                peak.acceleration / kStandardGravity, below.velocity, peak.velocity);
   }
-  if (response.floor.rotation)
+  if (response.floor.rotation && !building.torsion.empty())
+    fmt::print("  floor twists by up to {:.2g} rad\n", peak_yaw(*response.floor.rotation));
+  else if (response.floor.rotation)
     fmt::print("  floor rotates by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
                peak_dip(*response.floor.rotation, groundmotions::Direction::kH1),
                peak_dip(*response.floor.rotation, groundmotions::Direction::kH2));
@@ -108,6 +114,8 @@ int floor(const FloorOptions& options) {
   const groundmotions::Building building = groundmotions::building_from_file(
       data_file(equipment::DataKind::kBuilding, options.building, "--building "));
   const int number = floor_of(options.floor, building);
+  require(!building.torsion.empty() || options.place == std::vector<double>{0, 0},
+          "--position: has no effect: the building has no torsion");
   std::optional<groundmotions::Record> ground;
   const int code =
       for_each_record(options.source, nullptr,
@@ -116,8 +124,8 @@ int floor(const FloorOptions& options) {
                         ground = record;
                       });
   if (!ground) return code;
-  const groundmotions::BuildingResponse response =
-      groundmotions::building_response(*ground, building, number);
+  const groundmotions::BuildingResponse response = groundmotions::building_response(
+      *ground, building, number, {options.place[0], options.place[1]});
   refuse_input_as_output(options.output, *ground);
   if (options.json)
     fmt::print("{}\n", facts_json(building, number, *ground, response).dump(2));
@@ -138,8 +146,13 @@ void add_records_floor(Commands& commands) {
         add_source_options(add, options.source);
         add.required("--building FILE", options.building,
                      "A building of the catalogue (gurney equipment ls), or a building file");
-        add("--storey,--floor", options.floor, "0 (the base) to the number of storeys, or roof");
+        add("--storey,--floor", options.floor,
+            "0 (the base) to the number of storeys, roof, or the name of a floor");
         add.required("-o,--output FILE", options.output, "The .csv file to write");
+        add("--position X,Y", options.place,
+            "Place on a floor that twists, from its axis of stiffness along h1 and h2 [m]")
+            ->delimiter(',')
+            ->expected(2);
         add("--json", options.json, "Print the peaks as JSON");
         add("--overwrite", options.overwrite, "Replace a file that exists");
       });

@@ -20,155 +20,11 @@
 #include "equipment/catalogue/load_item.h"
 #include "equipment/catalogue/quantity.h"
 #include "equipment/catalogue/uncertainty.h"
+#include "studies/job/caster_options.h"
 #include "studies/job/job_parts.h"
 
 namespace gurney::study {
 namespace {
-
-/// Statements of a job without effect, apart from errors.
-struct Remarks {
-  std::vector<std::string> warnings;
-  /// Inputs that change nothing in this job, `file:line:column: ...` each. An error in a single
-  /// run, and in a study where none of its configurations needs the input.
-  std::vector<std::string> without_effect;
-};
-
-/// Which item, what is changed on it, where it stands.
-struct JobItem {
-  InitialMotion initial;  ///< position and yaw
-  equipment::ItemDescription description;
-  equipment::ItemOptions options;
-};
-
-using config::Range;
-using config::Table;
-
-constexpr double kSameHeading = 1e-9;  // [rad] rounding of degrees, twice
-
-template <typename Able>
-std::vector<bool> casters_that(const equipment::ItemDescription& item, Able able) {
-  std::vector<bool> result;
-  for (const equipment::CasterPlace& place : item.casters) result.push_back(able(place));
-  return result;
-}
-
-bool any(const std::vector<bool>& flags) {
-  return std::find(flags.begin(), flags.end(), true) != flags.end();
-}
-
-bool same_heading(double a, double b) {
-  return std::abs(std::remainder(a - b, 2 * std::numbers::pi)) <= kSameHeading;
-}
-
-void read_headings(equipment::Quantities& in, equipment::Uncertain<JobItem>& result,
-                   Remarks& remarks) {
-  constexpr const char* kKey = "headings_deg";
-  const equipment::ItemDescription& item = result.stated().description;
-  const std::vector<bool> swivels =
-      casters_that(item, [](const equipment::CasterPlace& place) { return place.swivels; });
-  const equipment::QuantityList headings = in.numbers(kKey, Range::any(), swivels);
-  if (headings.quantities.empty()) return;
-  const bool one_for_all = in.is_one_for_all(kKey);
-  for (std::size_t i = 0; i < swivels.size() && !one_for_all; ++i) {
-    const equipment::CasterPlace& place = item.casters[i];
-    if (swivels[i] ||
-        same_heading(headings.quantities[i].value * kRadiansPerDegree, place.stated_heading))
-      continue;
-    in.table().note_element(
-        kKey, i,
-        fmt::format(": caster '{}' of {} does not swivel: must be its heading there, {:g}",
-                    place.name, item.name, place.stated_heading / kRadiansPerDegree));
-  }
-  if (one_for_all && !any(swivels))
-    remarks.without_effect.push_back(fmt::format("{}: {}: has no effect: no caster of {} swivels",
-                                                 in.table().where(kKey), in.table().name_of(kKey),
-                                                 item.name));
-  result.add([headings, swivels](JobItem& of_draw, equipment::Sampler& of) {
-    of_draw.options.headings = of(headings);
-    for (std::size_t i = 0; i < swivels.size(); ++i) {
-      double& heading = of_draw.options.headings[i];
-      heading = swivels[i] ? heading * kRadiansPerDegree : of_draw.description.casters[i].heading;
-    }
-  });
-}
-
-/// A flag of a caster, and what a caster needs to have it.
-struct CasterFlag {
-  const char* key;
-  std::vector<bool> meant;  ///< by one flag for all
-  std::vector<bool> able;
-  const char* missing;  ///< `has no brake`
-};
-
-void check_flags(equipment::Quantities& in, const CasterFlag& flag, const std::vector<bool>& on,
-                 const equipment::ItemDescription& item, Remarks& remarks) {
-  Table& table = in.table();
-  if (!in.is_one_for_all(flag.key)) {
-    for (std::size_t i = 0; i < on.size(); ++i)
-      if (on[i] && !flag.able[i])
-        table.note_element(flag.key, i,
-                           fmt::format(": caster '{}' of {} {}: must be false",
-                                       item.casters[i].name, item.name, flag.missing));
-    return;
-  }
-  const bool drawn = table.is_table(flag.key) && table.table(flag.key)->has("distribution");
-  if (!any(on) && !drawn) return;
-  if (!any(flag.able))
-    table.note(flag.key,
-               fmt::format(": has no effect: every caster of {} {}", item.name, flag.missing));
-  else
-    for (std::size_t i = 0; i < on.size(); ++i)
-      if (flag.meant[i] && !flag.able[i])
-        remarks.warnings.push_back(fmt::format("{}: no effect on caster '{}', which {}",
-                                               table.name_of(flag.key), item.casters[i].name,
-                                               flag.missing));
-}
-
-/// Into `target`, false where the caster cannot have it, and into `drawn` whether draws decide.
-void read_flags(equipment::Quantities& in, const CasterFlag& flag,
-                std::vector<bool> equipment::ItemOptions::*target,
-                std::vector<bool> equipment::ItemOptions::*drawn,
-                equipment::Uncertain<JobItem>& result, Remarks& remarks) {
-  const equipment::QuantityList list = in.flags(flag.key, flag.able);
-  if (list.quantities.empty()) return;
-  std::vector<bool> on;
-  for (const equipment::StatedQuantity& each : list.quantities) on.push_back(each.value != 0);
-  check_flags(in, flag, on, result.stated().description, remarks);
-  result.add([list, target, drawn, able = flag.able](JobItem& of_draw, equipment::Sampler& of) {
-    const std::vector<double> values = of(list);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      (of_draw.options.*target).push_back(values[i] != 0 && able[i]);
-      (of_draw.options.*drawn).push_back(list.quantities[i].uncertainty && able[i]);
-    }
-  });
-}
-
-/// The keys headings_deg, brakes and swivel_locks of an item with casters.
-///
-/// One value or distribution for all is meant for the casters that can take it: a heading and a
-/// lock for those that swivel, a brake for those that have one. In an array each caster has its
-/// own value, and one that it cannot take is an error.
-/// @param item  its description is there; headings, brakes and locks are set here
-void read_caster_options(equipment::Quantities& in, equipment::Uncertain<JobItem>& result,
-                         Remarks& remarks) {
-  const equipment::ItemDescription& item = result.stated().description;
-  const std::vector<bool> all(item.casters.size(), true);
-  read_headings(in, result, remarks);
-  read_flags(in,
-             {"brakes", all,
-              casters_that(item, [](const auto& place) { return place.type.brake_torque > 0; }),
-              "has no brake (brake_torque_n_m of its caster)"},
-             &equipment::ItemOptions::brakes, &equipment::ItemOptions::brakes_drawn, result,
-             remarks);
-  read_flags(
-      in,
-      {"swivel_locks", casters_that(item, [](const auto& place) { return place.swivels; }),
-       casters_that(
-           item,
-           [](const auto& place) { return place.swivels && place.type.swivel_lock_torque > 0; }),
-       "does not swivel, or has no lock (swivel_lock_torque_n_m of its caster)"},
-      &equipment::ItemOptions::swivel_locks, &equipment::ItemOptions::locks_drawn, result, remarks);
-}
 
 using config::Range;
 using config::Table;
@@ -209,7 +65,7 @@ void read_casters(Table& item, equipment::Uncertain<JobItem>& result) {
 }
 
 void note_keys_of_casters(Table& item, const equipment::ItemDescription& description) {
-  for (const char* key : {"casters", "headings_deg", "brakes", "swivel_locks"})
+  for (const char* key : {"casters", "headings_deg", "brakes", "brake_share", "swivel_locks"})
     if (item.has(key)) {
       item.note(key, ": " + description.name + " has no casters");
       item.set_aside(key);
@@ -264,8 +120,8 @@ equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
   if (described) result.set(&JobItem::description, *std::move(found));
   read_casters(item, result);
   if (!described) {
-    for (const char* key :
-         {"headings_deg", "brakes", "swivel_locks", "payloads", "locked_parts", "contents"})
+    for (const char* key : {"headings_deg", "brakes", "brake_share", "swivel_locks", "payloads",
+                            "locked_parts", "contents"})
       item.set_aside(key);
     return result;
   }

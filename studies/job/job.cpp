@@ -200,9 +200,13 @@ void read_rotation_factor(Table& excitation, JobReading& job) {
   job.set(&JobParts::rotation_factor,
           equipment::Quantities(*building).number("rotation_factor", Range::not_negative(), 1.0));
   const std::optional<RecordRequest>& record = job.stated().record;
-  if (record && record->building && !rotates(record->building->building, record->building->floor))
+  if (!record || !record->building) return;
+  if (!rocks(record->building->building, record->building->floor))
     note_without_effect(*building, {"rotation_factor"},
                         "on a floor that does not rotate: the building has no floor_rotation", job);
+  if (record->building->building.torsion.empty())
+    note_without_effect(*building, {"position_m"},
+                        "on a floor that does not twist: the building has no torsion", job);
 }
 
 std::optional<Draw> read_draw(Table& root) {

@@ -36,7 +36,8 @@ struct ScaleTo {
 struct BuildingRequest {
   groundmotions::Building building;
   int floor = 0;
-  std::string file;  ///< that describes it; empty: the job itself
+  Vector2 place = Vector2::Zero();  ///< of the item on a floor that twists [m]
+  std::string file;                 ///< that describes it; empty: the job itself
 };
 
 /// The ground or floor motion a job asks for; motion.h makes it.

@@ -165,6 +165,10 @@ std::optional<BuildingRequest> read_building_request(Table& excitation) {
     request.floor = read_floor(*found, request.building);
   else
     found->has("floor");
+  if (found->has("position_m")) {
+    const std::vector<double> place = found->numbers("position_m", Range::within(-1000, 1000), 2);
+    request.place = {place[0], place[1]};
+  }
   return request;
 }
 
@@ -184,6 +188,10 @@ std::optional<RecordRequest> read_record_request(Table& excitation) {
   read_use(in, record);
   read_options(in, record.options);
   record.processing = groundmotions::read_processing_steps(in);
+  if (building && building->building.tables && !record.processing.empty())
+    in.note(
+        "processing",
+        ": must not go with floor motions of another program, which are of the record as it is");
   read_scaling(in, record);
   record.angle = in.number("angle_deg", Range::any(), 0.0) * kRadiansPerDegree;
   record.refuse_implausible = in.choice("plausibility", {"warn", "refuse"}, 0) == 1;

@@ -209,6 +209,26 @@ groundmotions::Record MotionSet::read(std::size_t record) const {
   return motion;
 }
 
+void MotionSet::add_tables(const groundmotions::Record& motion, GroundMotion& facts) const {
+  const groundmotions::FloorTables& tables = *request_->building->building.tables;
+  require(
+      tables.proportional || !scaled_by_measure(),
+      fmt::format("{}: study.intensity scales the records, but the tables are those of the records "
+                  "as they are: only floors that move in proportion to the ground (`proportional = "
+                  "true`) can follow",
+                  tables.where));
+  for (const double scale : scaled_by_measure() ? std::vector<double>{1} : intensity_.levels) {
+    const groundmotions::Record floor = floor_record_of(
+        scale == 1 ? motion : groundmotions::scaled(motion, scale, intensity_.vertical), *request_);
+    for (const auto& [path, sum] : floor.floor_files) {
+      const std::string line =
+          fmt::format("{} {}", sum, std::filesystem::path(path).filename().string());
+      if (facts.files.find(line) == std::string::npos)
+        facts.files += (facts.files.empty() ? "" : "\n") + line;
+    }
+  }
+}
+
 GroundMotion MotionSet::facts_of(std::size_t record, const groundmotions::Record& motion) const {
   GroundMotion facts;
   if (!request_) {
@@ -229,6 +249,7 @@ GroundMotion MotionSet::facts_of(std::size_t record, const groundmotions::Record
   for (const KeptMeasure& kept : kept_)
     facts.measures.push_back(
         or_none([&] { return value_of(kept.measure, kept.combination, motion); }));
+  if (request_->building && request_->building->building.tables) add_tables(motion, facts);
   if (!scaled_by_measure()) return facts;
   try {
     facts.intensity = value_of(intensity_.measure, intensity_.combination, motion);

@@ -105,6 +105,9 @@ class MotionSet {
  private:
   groundmotions::Record read(std::size_t record) const;
   GroundMotion facts_of(std::size_t record, const groundmotions::Record& motion) const;
+  /// Files of floor motions from another program.
+  /// @throws Error where a record has none, or cannot be scaled as the study does
+  void add_tables(const groundmotions::Record& motion, GroundMotion& facts) const;
   groundmotions::SourceFacts source_of(const groundmotions::Record& record,
                                        std::size_t index) const;
   bool is_synthetic() const { return request_ && request_->synthetic; }

@@ -71,6 +71,8 @@ RecordFacts facts_of(const groundmotions::Record& record, const FloorMotion& flo
                        facts.files.back().sha256 == file.sha256;
     if (!known) facts.files.push_back(file);  // one file may hold several components
   }
+  for (const auto& [path, sum] : record.floor_files)
+    facts.files.push_back({std::filesystem::path(path).filename().string(), sum});
   facts.components = components_of(record);
   facts.processing = record.processing;
   facts.duration = floor.duration();
@@ -161,7 +163,8 @@ groundmotions::Record scaled_as_asked(groundmotions::Record record, const Record
 
 groundmotions::Record through_building(groundmotions::Record ground, const RecordRequest& request) {
   if (!request.building) return ground;
-  return groundmotions::floor_record(ground, request.building->building, request.building->floor);
+  const BuildingRequest& asked = *request.building;
+  return groundmotions::floor_record(ground, asked.building, asked.floor, asked.place);
 }
 
 }  // namespace
@@ -251,7 +254,7 @@ PreparedRun prepare_run(const Job& job, std::optional<Motion> motion) {
   }
   if (!motion) return run;
 
-  facts.floor = motion->floor.with_rotation_times(job.rotation_factor);
+  facts.floor = motion->floor.with_rocking_times(job.rotation_factor);
   facts.record = std::move(motion->facts);
   facts.seed = motion->seed;
   append(facts.warnings, motion->warnings);

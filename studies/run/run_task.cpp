@@ -86,7 +86,7 @@ RunCase case_of(const Batch& batch, const Task& task, const Job& job, double sca
   RunCase run{job.scene, {}, job.settings, {}};
   run.floor = batch.motions.set_of(task.configuration)
                   .floor(task.record, scale, batch.job.study().angles[task.angle], run.warnings)
-                  .with_rotation_times(job.rotation_factor);
+                  .with_rocking_times(job.rotation_factor);
   return run;
 }
 

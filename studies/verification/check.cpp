@@ -47,13 +47,22 @@ void Track::report(Findings& findings) const {
   findings.series.push_back(series_);
 }
 
-Response Runner::operator()(const Scene& scene, const FloorMotion& floor,
-                            const SimulationSettings& settings) {
-  Response response = gurney::run(scene, floor, {settings, solver_});
+Response Runner::unjudged(const Scene& scene, const FloorMotion& floor,
+                          const SimulationSettings& settings) const {
+  return gurney::run(scene, floor, {settings, solver_});
+}
+
+void Runner::judge(const Response& response) {
   if (is_failure(response.outcome)) check("runs that failed", "", 1, exactly(0, response.cause));
   if (const auto steps = response.quality.unconverged_steps; steps > 0)
     check("steps that did not converge", "", steps,
           exactly(0, "every step must reach its residual"));
+}
+
+Response Runner::operator()(const Scene& scene, const FloorMotion& floor,
+                            const SimulationSettings& settings) {
+  Response response = unjudged(scene, floor, settings);
+  judge(response);
   return response;
 }
 

@@ -85,6 +85,11 @@ class Runner {
   Response operator()(const Scene& scene, const FloorMotion& floor,
                       const SimulationSettings& settings);
 
+  /// Both parts of it, for runs of which not all is asked.
+  Response unjudged(const Scene& scene, const FloorMotion& floor,
+                    const SimulationSettings& settings) const;
+  void judge(const Response& response);
+
   /// Compares a number: `runner.check("distance", "m", way, near_to(2, 0.1, "a dt^2"))`.
   template <class Number>
   void check(const std::string& quantity, const std::string& unit, Number computed,

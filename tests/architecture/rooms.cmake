@@ -31,7 +31,8 @@ set(GURNEY_ROOMS
     groundmotions/assembly"
   "groundmotions/selection: engine/base engine/config groundmotions/formats groundmotions/models
     groundmotions/scaling groundmotions/suites"
-  "groundmotions/buildings: engine/base engine/config groundmotions/record groundmotions/measures"
+  "groundmotions/buildings: engine/base engine/config groundmotions/record groundmotions/formats
+    groundmotions/measures"
   "groundmotions/tools: groundmotions/synthetic"
   "equipment/catalogue: engine/base engine/config engine/scene engine/contact engine/bullet"
   "studies/build_info:"
@@ -115,7 +116,7 @@ set(GURNEY_LIBRARIES
   "openssl/: engine/base"
   "boost/: engine/base groundmotions/synthetic studies/statistics"
   "hdf5|H5: studies/results/hdf5_"
-  "nlohmann/: engine/config studies/exports studies/render studies/report
+  "nlohmann/: engine/config groundmotions/formats/event_file studies/exports studies/render studies/report
     studies/page studies/playback studies/workbench studies/cli"
   "cairo|librsvg/: studies/picture/rendering"
   "CLI/: studies/cli"

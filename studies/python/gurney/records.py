@@ -152,7 +152,7 @@ def floor(record: Source, building: str | os.PathLike[str], storey: int | str = 
     """The motion of a floor of a building under a ground motion.
 
     :param building: a name of ``gurney.catalogue("buildings")``, or the path of a building file
-    :param storey: 0 (the base) to the number of storeys, or ``"roof"``
+    :param storey: 0 (the base) to the number of storeys, ``"roof"``, or the name of a floor
     """
     return _written("floor", record, "--building", os.fspath(building), "--storey", str(storey))
 

@@ -20,7 +20,7 @@ template <class Angle, class Acceleration>
 FloorMotion rotating_floor(double time_step, double duration, const Angle& angle,
                            const Acceleration& acceleration) {
   const auto samples = static_cast<Eigen::Index>(std::lround(duration / time_step)) + 1;
-  FloorRotation rotation{Eigen::Matrix2Xd::Zero(2, samples), Eigen::Matrix2Xd::Zero(2, samples)};
+  FloorRotation rotation{Eigen::Matrix3Xd::Zero(3, samples), Eigen::Matrix3Xd::Zero(3, samples)};
   for (Eigen::Index i = 0; i < samples; ++i) {
     const double time = time_step * static_cast<double>(i);
     rotation.angle(1, i) = angle(time);

@@ -55,9 +55,9 @@ TEST(FloorMotion, RestIsRest) {
 }
 
 TEST(FloorMotion, RotationIsLinearBetweenSamplesAndItsIntegralsAreExact) {
-  FloorRotation rotation{Eigen::Matrix2Xd(2, 4), Eigen::Matrix2Xd(2, 4)};
-  rotation.angle << 0, 0.2, 0.2, 0, 0, 0, 0, 0.4;
-  rotation.acceleration << 1, 1, 1, 1, 0, 2, 0, 0;
+  FloorRotation rotation{Eigen::Matrix3Xd(3, 4), Eigen::Matrix3Xd(3, 4)};
+  rotation.angle << 0, 0.2, 0.2, 0, 0, 0, 0, 0.4, 0, 0, 0.3, 0;
+  rotation.acceleration << 1, 1, 1, 1, 0, 2, 0, 0, 0, 0, 0, 2;
   const FloorMotion motion = ramp().with_rotation(rotation);
   EXPECT_TRUE(motion.rotates());
   EXPECT_FALSE(ramp().rotates());
@@ -69,18 +69,22 @@ TEST(FloorMotion, RotationIsLinearBetweenSamplesAndItsIntegralsAreExact) {
   EXPECT_NEAR(motion.integral_of_angle_at(9).y(), 0.1, 1e-16);
   EXPECT_NEAR(motion.angular_velocity_at(9).x(), 1.5, 1e-15);
   EXPECT_NEAR(motion.angular_velocity_at(1).y(), 1, 1e-15);
-  EXPECT_EQ(motion.angular_velocity_at(1).z(), 0);
-  EXPECT_EQ(motion.with_rotation_times(3).rotation().angle, 3 * rotation.angle);
-  EXPECT_EQ(motion.with_rotation_times(3).rotation().acceleration, 3 * rotation.acceleration);
-  EXPECT_FALSE(ramp().with_rotation_times(3).rotates());
+  EXPECT_NEAR(motion.integral_of_angle_at(9).z(), 0.15, 1e-16);
+  EXPECT_NEAR(motion.angular_velocity_at(9).z(), 0.5, 1e-16);
+  // The yaw stays.
+  const Vector3 factors(3, 3, 1);
+  const FloorRotation rocking = motion.with_rocking_times(3).rotation();
+  EXPECT_EQ(rocking.angle, factors.asDiagonal() * rotation.angle);
+  EXPECT_EQ(rocking.acceleration, factors.asDiagonal() * rotation.acceleration);
+  EXPECT_FALSE(ramp().with_rocking_times(3).rotates());
 }
 
 TEST(FloorMotion, RefusesWhatIsNoRotation) {
-  FloorRotation rotation{Eigen::Matrix2Xd::Zero(2, 4), Eigen::Matrix2Xd::Zero(2, 3)};
+  FloorRotation rotation{Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xd::Zero(3, 3)};
   EXPECT_EQ(
       error_text([&] { ramp().with_rotation(rotation); }),
       "the rotation of a floor must have as many samples as its acceleration, 4, got 4 and 3");
-  rotation.acceleration = Eigen::Matrix2Xd::Constant(2, 4, std::nan(""));
+  rotation.acceleration = Eigen::Matrix3Xd::Constant(3, 4, std::nan(""));
   EXPECT_EQ(error_text([&] { ramp().with_rotation(rotation); }),
             "the rotation of a floor must be finite at every sample");
 }

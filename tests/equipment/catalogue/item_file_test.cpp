@@ -102,6 +102,25 @@ TEST_F(ItemFile, VariantsAddUpInTheirOrder) {
   EXPECT_EQ(load({"lighter", "heavy"}, lighter).chassis_mass, 80);
 }
 
+TEST_F(ItemFile, AVariantChangesWhatTheOneItExtendsAdds) {
+  const std::string more =
+      "[[variant.\"a monitor\".marked_point]]\nname = \"monitor\"\nposition_mm = [0, 0, 1100]\n"
+      "[variant.turned]\nextends = \"a monitor\"\n"
+      "marked_point.monitor.position_mm = [100, 0, 1100]\n"
+      "[variant.last]\nextends = [\"turned\", \"heavy\"]\n";
+  const auto x = [](const ItemDescription& item) { return item.marked_points.back().position.x(); };
+  EXPECT_EQ(x(load({"a monitor"}, more)), 0);
+  EXPECT_EQ(x(load({"turned"}, more)), 0.1);
+  EXPECT_EQ(x(load({"turned", "a monitor"}, more)), 0.1);  // each once, the base first
+  EXPECT_EQ(x(load({"last"}, more)), 0.1);
+  EXPECT_EQ(load({"last"}, more).chassis_mass, load({"heavy"}, more).chassis_mass);
+  EXPECT_EQ(error("[variant.a]\nextends = \"b\"\n[variant.c]\nextends = 3\n"),
+            "27:10: variant.a.extends: the item has no variant 'b'; did you mean 'a'?\n"
+            "30:11: variant.c.extends = 3: must be the name of a variant, or an array of names");
+  EXPECT_THAT(error("[variant.a]\nextends = \"b\"\n[variant.b]\nextends = \"a\"\n"),
+              testing::HasSubstr("variant.a.extends = \"b\": must not extend itself"));
+}
+
 TEST_F(ItemFile, NamesTheNearestVariant) {
   const std::string file = folder_.write("cart.toml", std::string(kCart) + kVariants);
   EXPECT_EQ(variant_names(file), (std::vector<std::string>{"brakes on", "drawers full", "heavy"}));

@@ -123,12 +123,13 @@ TEST(BuildingReader, FloorsAreNumbersOrTheRoof) {
 }
 
 TEST(BuildingReader, SaysEveryErrorInOnePass) {
-  EXPECT_EQ(errors("kind = 'shaer'\nstoreys = 0\n"),
-            "b.toml:1:1: damping_ratio: missing; must be a finite number >= 0 and <= 0.99\n"
-            "b.toml:1:1: period_s: missing; must be a finite number > 0\n"
-            "b.toml:1:8: kind = \"shaer\": must be one of shear, generic, modal; did you mean "
-            "'shear'?\n"
-            "b.toml:2:11: storeys = 0: must be a whole number in 1..200");
+  EXPECT_EQ(
+      errors("kind = 'shaer'\nstoreys = 0\n"),
+      "b.toml:1:1: damping_ratio: missing; must be a finite number >= 0 and <= 0.99\n"
+      "b.toml:1:1: period_s: missing; must be a finite number > 0\n"
+      "b.toml:1:8: kind = \"shaer\": must be one of shear, generic, modal, tables; did you mean "
+      "'shear'?\n"
+      "b.toml:2:11: storeys = 0: must be a whole number in 1..200");
 }
 
 TEST(BuildingReader, RefusesKeysThatContradictEachOther) {
@@ -172,15 +173,15 @@ TEST(BuildingReader, ReadsRotationOfTheFloors) {
   const Mode& mode = building[Direction::kH2][0];
   ASSERT_EQ(mode.effective_rotation.size(), 4);
   EXPECT_NEAR(mode.effective_rotation[1], 0.5 * mode.effective_shape[2] / 8, 1e-15);
-  EXPECT_TRUE(rotates(building, 3));
-  EXPECT_FALSE(rotates(building, 0));
-  EXPECT_FALSE(rotates(read(kShear), 3));
+  EXPECT_TRUE(rocks(building, 3));
+  EXPECT_FALSE(rocks(building, 0));
+  EXPECT_FALSE(rocks(read(kShear), 3));
   const Building modal = read(
       "kind = 'modal'\nstoreys = 2\nh1 = [{ period_s = 0.5, damping_ratio = 0.05, effective_shape "
       "= [0.7, 1.2], effective_rotation_rad_per_m = [0.1, 0.15] }]\n");
   EXPECT_EQ(modal[Direction::kH1][0].effective_rotation, Eigen::Vector3d(0, 0.1, 0.15));
   const std::string folder = std::string(GURNEY_SOURCE_DIR) + "/groundmotions/buildings/";
-  EXPECT_TRUE(rotates(building_from_file(folder + "wall_hospital.toml"), 6));
+  EXPECT_TRUE(rocks(building_from_file(folder + "wall_hospital.toml"), 6));
 }
 
 TEST(BuildingReader, RefusesRotationsWithTheirPlace) {
@@ -208,6 +209,29 @@ TEST(BuildingReader, RefusesRotationsWithTheirPlace) {
 TEST(BuildingReader, UnknownKeysAreErrors) {
   EXPECT_THAT(errors(kShear + "storey = 3\n"), HasSubstr("storey"));
   EXPECT_THAT(errors(kShear + "dampin_ratio = 3\n"), HasSubstr("did you mean 'damping_ratio'?"));
+}
+
+TEST(BuildingReader, ReadsFloorsThatTwist) {
+  const std::string torsion = "[torsion]\nradius_of_gyration_m = 9\nfrequency_ratio = 1.2\n";
+  const Building building = read(kShear + torsion + "eccentricity_h1_m = [1, 2, 1]\n");
+  ASSERT_EQ(building.torsion.size(), 9U);
+  EXPECT_EQ(building.torsion.back().damping, 0.05);
+  // Along h1 nothing is coupled.
+  const auto uncoupled = [](const TorsionMode& mode) {
+    return std::abs(mode.omega - 2 * pi / 0.5) < 1e-10;
+  };
+  EXPECT_TRUE(std::ranges::any_of(building.torsion, uncoupled));
+  EXPECT_TRUE(read(kShear + torsion).torsion.empty());  // no eccentricity: does not twist
+  const auto errors_with = [&](const std::string& more) {
+    return errors(kShear + more + torsion + "eccentricity_h2_m = 1\n");
+  };
+  EXPECT_THAT(errors_with("modes = 2\n"), HasSubstr("modes: must not be given with torsion"));
+  EXPECT_THAT(errors_with("[yield]\nheight_m = 9\ndrift_ratio = 0.01\nhardening_ratio = 0\n"),
+              HasSubstr("torsion: must not be given with yield"));
+  EXPECT_THAT(errors_with("[floor_rotation]\nheight_m = 9\nbending_share = 1\n"),
+              HasSubstr("floor_rotation: must not be given with torsion"));
+  EXPECT_THAT(errors(kShear + torsion + "eccentricity_h1_m = [1, 2]\n"),
+              HasSubstr("torsion.eccentricity_h1_m = [1, 2]: must be an array of 3 numbers"));
 }
 
 TEST(BuildingReader, ReadsStoreysThatYield) {
@@ -270,15 +294,20 @@ TEST(BuildingReader, EveryKeyIsDocumented) {
       asked("kind = 'shear'\nstorey_stiffness_h1_n_per_m = [1]\n"
             "[isolation]\nkind = 'lead_rubber'\n"));
   shear.merge(asked(kShear + "[yield]\ndrift_ratio = 0.01\n"));
-  EXPECT_EQ(shear, documented({"All buildings", "Shear", "Yield", "Floor rotation", "Vertical",
-                               "Isolation"}));
+  const std::string torsion = "[torsion]\neccentricity_h1_m = 1\n";
+  shear.merge(asked(kShear + torsion));
+  EXPECT_EQ(shear, documented({"All buildings", "Shear", "Yield", "Floor rotation", "Torsion",
+                               "Vertical", "Isolation"}));
   std::set<std::string> generic = asked("kind = 'generic'\nframe = 'other'\n" + isolation);
   generic.merge(asked("kind = 'generic'\n[isolation]\nkind = 'lead_rubber'\n"));
-  EXPECT_EQ(generic,
-            documented({"All buildings", "Generic", "Floor rotation", "Vertical", "Isolation"}));
+  generic.merge(
+      asked("kind = 'generic'\nstoreys = 2\nperiod_s = 1\ndamping_ratio = 0\n" + torsion));
+  EXPECT_EQ(generic, documented({"All buildings", "Generic", "Floor rotation", "Torsion",
+                                 "Vertical", "Isolation"}));
   const std::set<std::string> modal =
       asked("kind = 'modal'\nh1 = [{ period_s = 1, effective_rotation_rad_per_m = [] }]\n");
   EXPECT_EQ(modal, documented({"All buildings", "Modal"}));
+  EXPECT_EQ(asked("kind = 'tables'\ntime_step_s = 0.01\n"), documented({"Tables"}));
 }
 
 }  // namespace

@@ -196,6 +196,29 @@ TEST(CasterOptions, BrakesThatSomeCastersHaveNotAreAWarning) {
                                 "(brake_torque_n_m of its caster)"));
 }
 
+TEST(CasterOptions, HalfSetBrakesHoldAShareOfTheirTorque) {
+  const std::string cart = plain_cart(true, true);
+  const auto torque = [](const Job& job) {
+    return job.scene.items[0].model.casters[0].brake_torque;
+  };
+  EXPECT_EQ(torque(job_of_text(cart + "brakes = true\n")), 5);
+  EXPECT_EQ(torque(job_of_text(cart + "brakes = true\nbrake_share = 0.4\n")), 2);
+  EXPECT_EQ(torque(job_of_text(cart + "brakes = true\nbrake_share = [0, 1, 1, 1]\n")), 0);
+  EXPECT_THAT(errors_of_text(cart + "brakes = true\nbrake_share = 1.2\n"),
+              HasSubstr("item.brake_share = 1.2: must be a number in [0, 1]"));
+  EXPECT_THAT(errors_of_text(cart + "brake_share = 0.5\n"),
+              HasSubstr("item.brake_share: has no effect: no brake of cart is on"));
+  // Each draw has its own share.
+  const std::string drawn =
+      cart +
+      "brakes = true\nbrake_share = { value = 1, distribution = { kind = \"uniform\", low = "
+      "0.3, high = 1, assumption = \"a\" } }\n[uncertainty]\nseed = 1\ndraw = ";
+  const double first = torque(job_of_text(drawn + "1\n")),
+               second = torque(job_of_text(drawn + "2\n"));
+  EXPECT_NE(first, second);
+  for (const double found : {first, second}) EXPECT_TRUE(found > 1.5 && found < 5) << found;
+}
+
 TEST(CasterOptions, LocksAndHeadingsWhereNothingSwivelsAreErrors) {
   const std::string rigid = plain_cart(false, false);
   EXPECT_THAT(errors_of_text(rigid + "swivel_locks = true\n"),

@@ -180,7 +180,7 @@ building = { kind = "shear", storeys = 2, period_s = 0.4, damping_ratio = 0.05, 
   ASSERT_TRUE(rotating.rotates());
   EXPECT_EQ(rotating.acceleration(), level.acceleration());
   // Towards x twice as far as towards y, as the record.
-  const Vector2 peak = rotating.rotation().angle.cwiseAbs().rowwise().maxCoeff();
+  const Vector3 peak = rotating.rotation().angle.cwiseAbs().rowwise().maxCoeff();
   EXPECT_NEAR(peak.y() / peak.x(), 2, 0.1);
 }
 

@@ -1,0 +1,101 @@
+#include "groundmotions/buildings/torsion.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "engine/base/linear_algebra.h"
+#include "groundmotions/buildings/modal_building.h"
+
+namespace gurney::groundmotions {
+
+std::vector<TorsionMode> torsion_modes(const TorsionalBuilding& building) {
+  const Eigen::Index n = building.mass.size();
+  assert(n > 0 && building.mass.minCoeff() > 0 && building.gyration > 0 &&
+         building.frequency_ratio > 0 && building.eccentricity.cols() == n);
+  // Coordinates: u_x, u_y and r theta at the axis of stiffness, all in metres.
+  const double r = building.gyration;
+  const Eigen::VectorXd &m = building.mass, ex = building.eccentricity.row(0).transpose() / r,
+                        ey = building.eccentricity.row(1).transpose() / r;
+  const Eigen::VectorXd inertia =
+      m.cwiseProduct(Eigen::VectorXd::Ones(n) + ex.cwiseAbs2() + ey.cwiseAbs2());
+  const auto diagonal = [](const Eigen::VectorXd& values) -> Eigen::MatrixXd {
+    return values.asDiagonal();
+  };
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd mass(3 * n, 3 * n), stiffness(3 * n, 3 * n);
+  mass << diagonal(m), none, diagonal(-m.cwiseProduct(ey)),  //
+      none, diagonal(m), diagonal(m.cwiseProduct(ex)),       //
+      diagonal(-m.cwiseProduct(ey)), diagonal(m.cwiseProduct(ex)), diagonal(inertia);
+  const double ratio = building.frequency_ratio;
+  stiffness << building.stiffness[0], none, none,  //
+      none, building.stiffness[1], none,           //
+      none, none, ratio * ratio * building.stiffness[0];
+  const auto [squared_frequencies, shapes] = natural_modes(stiffness, mass);
+  // A ground that moves along x or y carries every coordinate with it but theta.
+  Eigen::MatrixXd carried = Eigen::MatrixXd::Zero(3 * n, 2);
+  carried.block(0, 0, n, 1).setOnes();
+  carried.block(n, 1, n, 1).setOnes();
+  std::vector<TorsionMode> modes;
+  for (Eigen::Index i = 0; i < 3 * n; ++i) {
+    const Eigen::VectorXd shape = shapes.col(i);  // phi' M phi = 1
+    TorsionMode mode;
+    mode.omega = std::sqrt(squared_frequencies[i]);
+    mode.participation = carried.transpose() * (mass * shape);
+    mode.shape = Eigen::Matrix3Xd::Zero(3, n + 1);
+    for (Eigen::Index row = 0; row < 3; ++row)
+      mode.shape.row(row).tail(n) = shape.segment(row * n, n).transpose() / (row == 2 ? r : 1.0);
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+TorsionResponse::TorsionResponse(const std::vector<TorsionMode>& modes, Eigen::Index floor,
+                                 const Vector2& place, double time_step)
+    : modes_(modes), floor_(floor), place_(place) {
+  for (const TorsionMode& mode : modes) {
+    assert(floor >= 0 && floor < mode.shape.cols());
+    oscillators_.emplace_back(mode.omega, mode.damping, time_step);
+  }
+}
+
+void TorsionResponse::step(const Vector2& ground0, const Vector2& ground1) {
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    oscillators_[i].step(-modes_[i].participation.dot(ground0),
+                         -modes_[i].participation.dot(ground1));
+}
+
+Vector3 TorsionResponse::at_place(const Vector3& shape) const {
+  return {shape.x() - shape.z() * place_.y(), shape.y() + shape.z() * place_.x(), shape.z()};
+}
+
+Vector3 TorsionResponse::acceleration(const Vector2& ground) const {
+  Vector3 result(ground.x(), ground.y(), 0);
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    const TorsionMode& mode = modes_[i];
+    const Oscillator& q = oscillators_[i];
+    result -= at_place(mode.shape.col(floor_)) *
+              (mode.participation.dot(ground) + 2 * mode.damping * mode.omega * q.velocity() +
+               mode.omega * mode.omega * q.displacement());
+  }
+  return result;
+}
+
+double TorsionResponse::yaw() const {
+  double angle = 0;
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    angle += modes_[i].shape(2, floor_) * oscillators_[i].displacement();
+  return angle;
+}
+
+double TorsionResponse::storey_drift() const {
+  if (modes_.empty()) return 0;
+  Eigen::Matrix2Xd moved = Eigen::Matrix2Xd::Zero(2, modes_.front().shape.cols());
+  for (std::size_t i = 0; i < modes_.size(); ++i)
+    for (Eigen::Index floor = 0; floor < moved.cols(); ++floor)
+      moved.col(floor) +=
+          oscillators_[i].displacement() * at_place(modes_[i].shape.col(floor)).head<2>();
+  return std::max(largest_storey_drift(moved.row(0)), largest_storey_drift(moved.row(1)));
+}
+
+}  // namespace gurney::groundmotions
