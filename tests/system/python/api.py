@@ -228,6 +228,65 @@ class Records(InFolder):
                 wrong()
 
 
+class Selections(InFolder):
+    TARGET = "conditional magnitude=7 distance_km=10 vs30_m_per_s=400 period_s=1 epsilon=1"
+
+    def setUp(self):
+        super().setUp()
+        os.mkdir("pool")
+        for seed in range(8):
+            gurney.records.make("stochastic", seed=seed + 1, frequency_hz=seed % 4 + 1).save(f"pool/{seed}.csv")
+
+    def test_a_suite_is_that_of_the_program(self):
+        listed = json.loads(support.gurney("records", "select", "pool", "--target", self.TARGET, "-n", 4,
+                                           "--seed", 7, "--json", "-o", "program.csv"))
+        suite = gurney.records.select("pool", self.TARGET, records=4, seed=7)
+        self.assertEqual(suite.target, listed["target"])
+        for row, (name, mine) in zip(listed["records"], suite.records.iterrows()):
+            self.assertEqual((name, mine["factor"], mine["misfit"]),
+                             (row["name"], row["factor"], row["misfit"]))
+        self.assertEqual(suite.spectra.tolist(), [each["sa_m_per_s2"] for each in listed["records"]])
+        for mine, name in ((suite.periods, "period_s"), (suite.median, "median_m_per_s2"),
+                           (suite.sigma, "sigma"), (suite.mean_error, "mean_error")):
+            self.assertEqual(mine.tolist(), [each[name] for each in listed["periods"]])
+        self.assertEqual(suite.facts["total_error"], listed["total_error"])
+        self.assertEqual(suite.to_frame()[listed["records"][2]["name"]].tolist(), suite.spectra[2].tolist())
+        self.assertIn(suite.records.index[0], suite._repr_html_())
+        suite.save("mine.csv")
+        with open("mine.csv", encoding="utf-8") as mine, open("program.csv", encoding="utf-8") as program:
+            self.assertEqual(mine.read(), program.read())
+        with self.assertRaisesRegex(gurney.InputError, "mine.csv"):
+            suite.save("mine.csv")
+
+    def test_the_records_have_the_spectra(self):
+        for steps in ((), ("high_pass corner_hz=0.2",)):
+            suite = gurney.records.select(["pool"], self.TARGET, records=3, component="larger", steps=steps)
+            for record, row in zip(suite.read(), suite.spectra):
+                own = gurney.records.spectrum(record, suite.periods[::6])[["h1", "h2"]].max(axis=1)
+                # A list has the factors with six digits; the periods go as text with six.
+                numpy.testing.assert_allclose(own, row[::6], rtol=1e-4)
+
+    def test_records_in_memory(self):
+        files = gurney.records.read_all("pool")
+        self.assertEqual([each.name for each in files], [str(each) for each in range(8)])
+        suite = gurney.records.select(files, self.TARGET, records=3)
+        self.assertEqual(suite.records["factor"].tolist(),
+                         gurney.records.select("pool", self.TARGET, records=3).records["factor"].tolist())
+        self.assertEqual([each.name for each in suite.read()], suite.records.index.tolist())
+        with self.assertRaisesRegex(gurney.InputError, "save it first"):
+            suite.save("list.csv")
+
+    def test_what_is_left_out_is_warned_of(self):
+        with self.assertWarnsRegex(UserWarning, "records are excluded: their factor is not in 0.5:1.5"):
+            gurney.records.select("pool", self.TARGET, records=2, factors=(0.5, 1.5))
+        for wrong, message in ((("pool", "condtional"), "conditional"), (([], self.TARGET), "no record"),
+                               (("nowhere", self.TARGET), "nowhere")):
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.records.select(*wrong)
+        with self.assertRaisesRegex(gurney.InputError, "20 are to be selected"):
+            gurney.records.select("pool", self.TARGET)
+
+
 class Described(unittest.TestCase):
     def test_everything_public_is_annotated_and_described(self):
         for _, module, names in api_page.GROUPS:
@@ -261,4 +320,4 @@ class Described(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=["api.py", "-v"])
+    unittest.main(argv=["api.py", "-v", *sys.argv[4:]])
