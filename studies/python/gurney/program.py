@@ -60,7 +60,8 @@ def ask(*arguments: object) -> Any:
     except json.JSONDecodeError:
         raise InputError(done.stderr.strip().removeprefix("gurney: ")) from None
     if done.returncode not in (0, 3):
-        raise InputError("\n".join(_line(each) for each in answer["errors"])
+        skipped = [line for line in done.stderr.splitlines() if line.startswith("skipped: ")]
+        raise InputError("\n".join([_line(each) for each in answer["errors"]] + skipped)
                          if "errors" in answer else done.stderr.strip())
     _warn(done.stderr)
     return answer

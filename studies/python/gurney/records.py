@@ -20,7 +20,8 @@ import numpy.typing
 import pandas
 
 from . import program
-from .errors import InputError
+from .errors import Error, InputError
+from .units import factor
 
 Array: TypeAlias = numpy.typing.NDArray[numpy.float64]
 Source: TypeAlias = Union[str, os.PathLike[str], "Record"]
@@ -66,6 +67,47 @@ class Record:
     def _repr_html_(self) -> str:
         return (f"<p>{self.name}: {len(self.acceleration)} samples every {self.time_step:g} s, "
                 f"{', '.join(self.components)}, PGA {abs(self.acceleration).max():.4g} m/s2</p>")
+
+
+def from_array(acceleration: Any, time_step: float | None = None, *, unit: str,
+               name: str = "record") -> Record:
+    """A record of an array, for everything that takes records.
+
+    :param acceleration: shape (samples,) or (samples, 1): x; (samples, 3): x, y, z. A Series or DataFrame
+        of pandas may have the times [s] as its index, a DataArray of xarray as its coordinate ``time``
+    :param time_step: [s]; not needed with such times, which must be evenly spaced
+    :param unit: ``"g"``, ``"m/s2"`` or ``"cm/s2"``; it has no default: an array in g is not one in m/s2
+    :raises InputError: another shape or unit, values that are no numbers, times that are uneven
+    """
+    try:
+        samples = numpy.asarray(acceleration, dtype=float) * factor(unit, "m/s2")
+    except (Error, TypeError, ValueError) as error:
+        raise InputError(f"{name}: {error}") from error
+    table = samples.reshape(len(samples), -1) if samples.ndim else samples
+    if table.ndim != 2 or len(table) < 2 or table.shape[1] not in (1, 3) or not numpy.isfinite(table).all():
+        raise InputError(f"{name}: must be 2 or more samples of 1 or 3 components, each a finite number; its "
+                         f"shape is {samples.shape}")
+    step = evenly_spaced(acceleration) if time_step is None else float(time_step)
+    if step is None or not step > 0:
+        raise InputError(f"{name}: needs time_step > 0 [s]")
+    return Record(name, table, step, tuple(_DIRECTIONS.values())[:table.shape[1]])
+
+
+def evenly_spaced(series: Any) -> float | None:
+    """The step [s] of the times that a Series, DataFrame or DataArray has; None: it has none."""
+    times: Any = getattr(series, "index", None)
+    if not isinstance(times, pandas.Index) or isinstance(times, pandas.RangeIndex):
+        times = series.coords.get("time") if hasattr(series, "coords") else None
+    if times is None:
+        return None
+    at = numpy.asarray(times)
+    if at.dtype.kind not in "fiu" or len(at) < 2:
+        return None
+    step = float(at[-1] - at[0]) / (len(at) - 1)
+    # Times are often written with few digits: a hundredth of a step is no gap.
+    if not step > 0 or not (abs(numpy.diff(at) / step - 1) < 0.01).all():
+        raise InputError("record: its times are not evenly spaced: resample it, or state time_step")
+    return step
 
 
 def read(path: Source, *, unit: str | None = None, time_step: float | None = None,
