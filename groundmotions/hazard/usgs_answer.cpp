@@ -100,7 +100,7 @@ std::vector<UsgsDisaggregation> UsgsAnswer::disaggregations() const {
 double UsgsAnswer::summed_up(const UsgsDisaggregation& of, const std::string& summary,
                              const std::vector<std::string>& names) const {
   for (const Node& part : member(*of.total, "summary", Node::Kind::kArray).elements) {
-    if (!member(part, "name", Node::Kind::kText).text.find(summary) == std::string::npos) continue;
+    if (member(part, "name", Node::Kind::kText).text.find(summary) == std::string::npos) continue;
     for (const Node& each : member(part, "data", Node::Kind::kArray).elements) {
       const std::string& text = member(each, "name", Node::Kind::kText).text;
       if (std::ranges::none_of(names, [&](const auto& name) { return text.ends_with(name); }))

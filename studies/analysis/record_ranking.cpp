@@ -13,7 +13,7 @@
 namespace gurney::study {
 namespace {
 
-constexpr double kSame = 1.01;  // largest over smallest of a measure that tells no records apart
+constexpr double kSame = 1.01;  // largest over smallest of a measure that is alike for all records
 
 /// The points of a line by least squares, each with the value that a line through the others has
 /// there: y - e / (1 - h), with the residual e and the leverage h (Allen 1974).
