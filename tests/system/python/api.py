@@ -163,6 +163,9 @@ class Studies(InFolder):
         self.assertTrue(os.path.exists("few.job.json"))
         with self.assertRaisesRegex(gurney.InputError, r"no table \[study\]"):
             gurney.study({"item": {"equipment": "icu_bed"}}, "none.h5")
+        with self.assertRaisesRegex(gurney.InputError, "wrong.job.json:/study/drawz"):
+            gurney.study(job, "wrong.h5", overrides={"study.drawz": 2}, progress=False)
+        self.assertFalse(os.path.exists("wrong.job.json"))
         with self.assertRaisesRegex(gurney.InputError, "few.job.json:/study/drawz"):
             gurney.study(job, "few.h5", overrides={"study.drawz": 2}, overwrite=True, progress=False)
 
@@ -292,7 +295,8 @@ class Hazards(InFolder):
 
 class ComparedRecords(InFolder):
     def test_a_measure_predicts_each_record_from_the_others(self):
-        with gurney.study(os.path.join(JOBS, "ventilator_brakes.toml"), "study.h5", progress=False, overrides={
+        job = gurney.read_job(os.path.join(JOBS, "ventilator_brakes.toml"))
+        with gurney.study(job, "study.h5", progress=False, overrides={
                 "study.synthetic_records": 7, "study.draws": 2, "study.measures": ["PGV", "Sa(0.3)"],
                 "study.intensity.levels": [0.2, 0.4]}) as study:
             ranking = study.compare_records(configuration="free")
