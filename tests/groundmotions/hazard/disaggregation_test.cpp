@@ -46,8 +46,8 @@ TEST_F(DisaggregationTest, OfSeveralOneIsChosen) {
       "SA(0.2),0.4,0.1,6,10,0.5,0.1\n"
       "SA(1.0),0.3,0.1,6.5,10,0.5,0.1\n"
       "SA(1.0),0.6,0.0199999,7,10,0.5,0.1\n");
-  EXPECT_EQ(read("a.csv", text, {.period = 0.2}).magnitude, 6);
-  EXPECT_EQ(read("a.csv", text, {.period = 1, .poe = 0.02}).magnitude, 7);
+  EXPECT_DOUBLE_EQ(read("a.csv", text, {.period = 0.2}).magnitude, 6);
+  EXPECT_DOUBLE_EQ(read("a.csv", text, {.period = 1, .poe = 0.02}).magnitude, 7);
   EXPECT_ERROR(read("a.csv", text), "a.csv: period_s is not stated: must be one of 0.2, 1");
   EXPECT_ERROR(read("a.csv", text, {.period = 2}), "period_s = 2: must be one of 0.2, 1");
   EXPECT_ERROR(read("a.csv", text, {.period = 1}), "poe is not stated: must be one of 0.1, 0.01");
@@ -83,9 +83,8 @@ TEST_F(DisaggregationTest, MeansOfTheUsgsAreTaken) {
   const std::string today = R"j({"response": {"disaggs": [{"imt": {"value": "PGA"}, )j" +
                             summary("x", "y") + R"j(}, {"imt": {"value": "SA1P0"}, )j" +
                             summary("Disaggregation targets", "1.0 s SA ground motion") + "}]}}";
-  const std::string before =
-      R"j({"response": [{"metadata": {"imt": {"value": "SA1P0"}}, )" +
-      summary("Deaggregation targets", "Exceedance IML") + "}]}";
+  const std::string before = R"j({"response": [{"metadata": {"imt": {"value": "SA1P0"}}, )j" +
+                             summary("Deaggregation targets", "Exceedance IML") + "}]}";
   for (const std::string& text : {today, before}) {
     const Disaggregation mean = read("a.json", text);
     EXPECT_EQ(mean.period, 1);
@@ -95,7 +94,7 @@ TEST_F(DisaggregationTest, MeansOfTheUsgsAreTaken) {
     EXPECT_EQ(mean.epsilon, 1.4);
   }
   EXPECT_ERROR(read("a.json", today, {.period = 2}), "period_s = 2: must be one of 1");
-  EXPECT_ERROR(read("a.json", R"j({"response": [{"metadata": {"imt": {"value": "SA1P0"}}, )" +
+  EXPECT_ERROR(read("a.json", R"j({"response": [{"metadata": {"imt": {"value": "SA1P0"}}, )j" +
                                   summary("Recovered", "x") + "}]}"),
                "a.json:/response/0/data/1: has no summary 'aggregation targets'");
   EXPECT_ERROR(read("a.json", R"j({"response": {"hazardCurves": []}})j"), "is a hazard curve");
