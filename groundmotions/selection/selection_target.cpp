@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/units.h"
+#include "groundmotions/hazard/disaggregation.h"
 #include "groundmotions/scaling/target_spectrum.h"
 
 namespace gurney::groundmotions {
@@ -39,9 +40,13 @@ Periods with_period(Eigen::VectorXd periods, double period) {
   return {all, at};
 }
 
+Range range_of(const Eigen::VectorXd& periods) {
+  return Range::within(periods[0], periods[periods.size() - 1]);
+}
+
 /// T* of the key period_s, which lies among the periods.
 Periods read_periods(Table& in, const Eigen::VectorXd& periods, bool required) {
-  const Range range = Range::within(periods[0], periods[periods.size() - 1]);
+  const Range range = range_of(periods);
   if (!required && !in.has("period_s")) return {periods, {}};
   return with_period(periods, in.number("period_s", range));
 }
@@ -51,10 +56,12 @@ struct NamedScenario {
   std::string name;
 };
 
-NamedScenario read_scenario(Table& in) {
+constexpr double kSmallest = 3, kLargest = 8.5, kFarthest = 400;  // of the model; [km]
+
+NamedScenario read_scenario(Table& in, const Disaggregation* of = nullptr) {
   Scenario s;
-  s.magnitude = in.number("magnitude", Range::within(3, 8.5));
-  s.distance = in.number("distance_km", Range::within(0, 400));
+  s.magnitude = of ? of->magnitude : in.number("magnitude", Range::within(kSmallest, kLargest));
+  s.distance = of ? of->distance : in.number("distance_km", Range::within(0, kFarthest));
   s.vs30 = in.number("vs30_m_per_s", Range::within(150, 1500), s.vs30);
   const std::size_t faulting = in.choice("faulting", kFaulting, 0);
   s.faulting = static_cast<Faulting>(faulting);
@@ -67,6 +74,23 @@ SelectionTarget read_bssa14(Table& in, const Eigen::VectorXd& periods) {
   return {of.name, bssa14_spectrum(of.scenario, periods)};
 }
 
+/// The spectra of a scenario with the Sa(T*) that `ln_sa` makes of mean and sigma of ln Sa(T*).
+template <typename LnSa>
+SelectionTarget given_acceleration(const NamedScenario& of, const Periods& periods,
+                                   const LnSa& ln_sa_of) {
+  const Index at = *periods.conditioning;
+  const SpectrumDistribution all = bssa14_spectrum(of.scenario, periods.values);
+  const double mean = all.mean[at], sigma = all.sigma()[at], ln_sa = ln_sa_of(mean, sigma);
+  return {fmt::format("Sa({:g} s) = {:.4g} g, epsilon {:.3g}; {}", periods.values[at],
+                      std::exp(ln_sa) / kStandardGravity, (ln_sa - mean) / sigma, of.name),
+          conditioned(all, at, ln_sa), at};
+}
+
+std::string path_of(Table& in) {
+  const auto folder = std::filesystem::path(in.document().path()).parent_path();
+  return (folder / in.text("file")).string();
+}
+
 SelectionTarget read_conditional(Table& in, const Eigen::VectorXd& range) {
   const NamedScenario of = read_scenario(in);
   const auto [periods, at] = read_periods(in, range, true);
@@ -75,12 +99,32 @@ SelectionTarget read_conditional(Table& in, const Eigen::VectorXd& range) {
     in.note("epsilon", ": a conditional spectrum needs epsilon or sa_g, one of the two");
   const double given = by_epsilon ? in.number("epsilon", Range::within(-6, 6))
                                   : in.number("sa_g", Range::positive(), 1) * kStandardGravity;
-  const SpectrumDistribution all = bssa14_spectrum(of.scenario, periods);
-  const double mean = all.mean[*at], sigma = all.sigma()[*at];
-  const double ln_sa = by_epsilon ? mean + sigma * given : std::log(given);
-  return {fmt::format("Sa({:g} s) = {:.4g} g, epsilon {:.3g}; {}", periods[*at],
-                      std::exp(ln_sa) / kStandardGravity, (ln_sa - mean) / sigma, of.name),
-          conditioned(all, *at, ln_sa), at};
+  return given_acceleration(of, {periods, at}, [&](double mean, double sigma) {
+    return by_epsilon ? mean + sigma * given : std::log(given);
+  });
+}
+
+SelectionTarget read_disaggregated(Table& in, const Eigen::VectorXd& range) {
+  DisaggregationRequest request;
+  if (in.has("period_s")) request.period = in.number("period_s", range_of(range));
+  if (in.has("poe")) request.poe = in.number("poe", Range::within(0, 1).open_below().open_above());
+  const std::string file = path_of(in);
+  for (const char* key : {"vs30_m_per_s", "faulting"})
+    in.has(key);  // known, even if the file is wrong
+  const Disaggregation found = read_disaggregation(file, request);
+  require(found.period >= range[0] && found.period <= range[range.size() - 1],
+          fmt::format("T* = {:g} s: must be in the range of periods", found.period));
+  require(
+      found.magnitude >= kSmallest && found.magnitude <= kLargest && found.distance >= 0 &&
+          found.distance <= kFarthest,
+      fmt::format("M {:g} at {:g} km: the ground-motion model is for {:g} to {:g}, up to {:g} km",
+                  found.magnitude, found.distance, kSmallest, kLargest, kFarthest));
+  NamedScenario of = read_scenario(in, &found);
+  of.name += fmt::format(
+      "; mean of the disaggregation {}{}", std::filesystem::path(file).filename().string(),
+      found.epsilon ? fmt::format(", whose epsilon is {:.3g}", *found.epsilon) : std::string());
+  return given_acceleration(of, with_period(range, found.period),
+                            [&](double, double) { return std::log(found.acceleration); });
 }
 
 /// Medians, and sigma where it is stated, of a spectrum.
@@ -98,23 +142,19 @@ SelectionTarget selection_of(Table& in, const TargetSpectrum& target,
       correlated_spectrum(periods, median, sigma, at), at, target.damping};
 }
 
-SourceFile file_of(Table& in) {
-  const auto folder = std::filesystem::path(in.document().path()).parent_path();
-  return SourceFile(folder / in.text("file"));
-}
-
 SelectionTarget read_openquake(Table& in, const Eigen::VectorXd& periods) {
   std::optional<double> poe;
   if (in.has("poe")) poe = in.number("poe", Range::within(0, 1).open_below().open_above());
-  return selection_of(in, openquake_spectrum(file_of(in), poe), periods);
+  return selection_of(in, openquake_spectrum(SourceFile(path_of(in)), poe), periods);
 }
 
 SelectionTarget read_one(Table& in, const Eigen::VectorXd& periods) {
   const std::string kind = in.is_text("target") ? in.text("target") : std::string();
   if (kind == "bssa14") return read_bssa14(in, periods);
   if (kind == "conditional") return read_conditional(in, periods);
+  if (kind == "disaggregation") return read_disaggregated(in, periods);
   if (kind == "openquake") return read_openquake(in, periods);
-  const auto target = read_target(in, {"bssa14", "conditional", "openquake"});
+  const auto target = read_target(in, {"bssa14", "conditional", "disaggregation", "openquake"});
   return target ? selection_of(in, *target, periods) : SelectionTarget{};
 }
 

@@ -6,9 +6,12 @@
 #include "engine/base/error.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
+#include "studies/cli/repeated_run.h"
 #include "studies/cli/shared_options.h"
 #include "studies/figures/fragility_figures.h"
+#include "studies/figures/ranking_figure.h"
 #include "studies/report/comparison_report.h"
+#include "studies/report/ranking_report.h"
 
 namespace gurney::cli {
 namespace {
@@ -16,7 +19,9 @@ namespace {
 struct CompareOptions {
   std::string a, b;  ///< results files of studies; b empty: two configurations of a
   std::vector<std::string> configurations, demands;
-  std::string measure;
+  std::string measure, job;
+  bool records = false;  ///< rank those of a
+  std::optional<std::size_t> level;
   FigureFile figure;
   study::AssessmentRequest assessed_by;
   study::UnitSystem units;
@@ -90,8 +95,45 @@ void choose(const study::StudyData& a, const study::StudyData& b, const std::str
   set_labels(report);
 }
 
+std::string figure_of(const CompareOptions& options, const study::StudyData& data,
+                      const study::RecordRanking& ranking, std::size_t configuration) {
+  const std::string job = options.job.empty() ? job_of_log(options.a) : options.job;
+  const auto spectra = study::suite_spectra(
+      data, {.job = job,
+             .level = options.level ? std::optional(*options.level - 1) : std::nullopt,
+             .configurations = {configuration}});
+  return figures::ranking_figure({.width = 900, .units = options.units}, ranking, spectra.front(),
+                                 study::StoredHistories(options.a));
+}
+
+/// The records of one study, by what they do.
+int rank(const CompareOptions& options) {
+  require(options.b.empty(),
+          "--records: ranks the records of one study; " + options.b + ": is a second one");
+  require(options.demands.size() <= 1, "--records: ranks by one demand");
+  const study::StudyData data(options.a, {}, {}, options.units);
+  study::RankingRequest request;
+  if (!options.demands.empty()) request.demand = options.demands.front();
+  if (options.level) request.level = *options.level - 1;
+  std::vector<findings::Section> known;
+  std::string figure;
+  for (const std::size_t configuration : study::wanted_configurations(data, options.configurations))
+    for (const study::RecordRanking& ranking :
+         study::rank_records({&data, configuration}, request)) {
+      known.push_back(report::ranking_findings(data, ranking));
+      require(options.figure.empty() || figure.empty(),
+              "--figure: shows one item in one configuration; name them: --configuration NAME "
+              "--demand \"ITEM: peak_displacement\"");
+      if (!options.figure.empty()) figure = figure_of(options, data, ranking, configuration);
+    }
+  print_findings(known, options.json);
+  if (!figure.empty()) options.figure.write(figure, options.overwrite, options.json);
+  return 0;
+}
+
 int compare(const CompareOptions& options) {
   options.figure.check(options.overwrite);
+  if (options.records) return rank(options);
   const study::StudyData a(options.a, options.assessed_by, {}, options.units);
   std::optional<study::StudyData> b;
   report::ComparisonReport report;
@@ -116,9 +158,10 @@ int compare(const CompareOptions& options) {
 
 void add_compare(Commands& commands) {
   commands.add<CompareOptions>(
-      {"compare", "Compare configurations pairwise",
+      {"compare", "Compare configurations pairwise, or the records of a study",
        "gurney compare ventilator.h5 --configurations off,on\n"
-       "gurney compare first.h5 second.h5"},
+       "gurney compare first.h5 second.h5\n"
+       "gurney compare ventilator.h5 --records --configuration off --figure records.svg"},
       compare, [](Options& add, CompareOptions& options) {
         add.required("A", options.a, "The results file of a study");
         add("B", options.b, "A second results file (default: two configurations of A)");
@@ -128,7 +171,18 @@ void add_compare(Commands& commands) {
         add("--measure MEASURE", options.measure,
             "Intensity measure of the curves (default: the studies' own)");
         add_limit_state_options(add, options.assessed_by);
-        add_figure_option(add, options.figure, "Draw the fragility curves");
+        CLI::Option* const records =
+            add("--records", options.records,
+                "Rank the records of A by a demand (default: peak_displacement), and state which "
+                "intensity measure explains the order");
+        add("--level", options.level,
+            "Of --records: the N-th level, counted from 1 (default: the highest)")
+            ->check(CLI::Range(1, 1000000))
+            ->needs(records);
+        add("--job", options.job,
+            "Of --records with --figure: the job, if it is not where the log says")
+            ->needs(records);
+        add_figure_option(add, options.figure, "Draw the fragility curves, or spectra and paths");
         add("--overwrite", options.overwrite, "Replace a figure that exists");
         add_units_option(add, options.units);
         add("--json", options.json, "Print JSON, in SI units or those of --units");

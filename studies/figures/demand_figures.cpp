@@ -115,7 +115,7 @@ Panel panel_of(const study::DemandRuns& runs, const study::DemandRuns::Configura
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Curve curve_of(const study::IdaCurve& ida, const study::DemandRuns& runs) {
+Curve curve_of_ida(const study::IdaCurve& ida, const study::DemandRuns& runs) {
   Curve curve{"", {}, {}, {.stroke = "#b0b0b0", .width = 0.8}};
   for (std::size_t i = 0; i < ida.im.size(); ++i) {
     curve.x.push_back(ida.demand[i] / runs.unit.in_si);
@@ -160,7 +160,7 @@ Panel panel_of(const study::DemandRuns& runs, const study::DemandRuns::Configura
   const std::vector<study::IdaCurve> curves = study::ida_curves(of.runs);
   Marks overturned{"overturns", {}, {}, {.stroke = "#555555", .width = 1}, Marker::kCircle, 2.5};
   for (const study::IdaCurve& each : curves) {
-    panel.curves.push_back(curve_of(each, runs));
+    panel.curves.push_back(curve_of_ida(each, runs));
     if (!std::isfinite(each.capacity)) continue;
     overturned.x.push_back(each.demand.back() / runs.unit.in_si);
     overturned.y.push_back(each.capacity / runs.measure_unit.in_si);

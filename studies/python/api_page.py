@@ -17,9 +17,9 @@ GROUPS = (
     ("Jobs and items", gurney, ("read_job", "patched", "item", "catalogue", "sheet", "data_folder")),
     ("Results", gurney, ("open", "Results", "Page")),
     ("Curves and hazard", gurney, ("Fragility", "Statistics", "Hazard", "read_hazard")),
-    ("Ground motions", gurney.records, ("read", "process", "ls", "measures", "spectrum", "scale", "floor",
-                                        "make", "kinds", "model", "Record")),
-    ("Figures", gurney.plot, ("history", "fragility", "cloud")),
+    ("Ground motions", gurney.records, ("read", "read_all", "from_array", "process", "ls", "measures", "spectrum", "scale",
+                                        "select", "Selection", "floor", "make", "kinds", "model", "Record")),
+    ("Figures", gurney.plot, ("history", "fragility", "cloud", "selection")),
     ("The program", gurney.program, ("path", "order", "ask", "page")),
     ("Errors", gurney, ("Error", "InputError", "DamagedFile", "NotInFile")),
 )

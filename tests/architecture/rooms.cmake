@@ -29,8 +29,9 @@ set(GURNEY_ROOMS
     groundmotions/synthetic"
   "groundmotions/suites: engine/base engine/config groundmotions/record groundmotions/formats
     groundmotions/assembly"
+  "groundmotions/hazard: engine/base engine/config groundmotions/formats groundmotions/measures"
   "groundmotions/selection: engine/base engine/config groundmotions/formats groundmotions/models
-    groundmotions/scaling groundmotions/suites"
+    groundmotions/hazard groundmotions/scaling groundmotions/suites"
   "groundmotions/buildings: engine/base engine/config groundmotions/record groundmotions/formats
     groundmotions/measures"
   "groundmotions/tools: groundmotions/synthetic"
@@ -51,7 +52,7 @@ set(GURNEY_ROOMS
   "studies/limit_states: engine/base engine/config engine/scene engine/response
     studies/results"
   "studies/plan: engine/base engine/config groundmotions/record groundmotions/assembly
-    groundmotions/suites equipment/catalogue studies/statistics studies/job studies/prepare
+    groundmotions/hazard groundmotions/suites equipment/catalogue studies/statistics studies/job studies/prepare
     studies/limit_states"
   "studies/run: engine/base engine/config engine/response engine/run studies/build_info
     studies/statistics studies/results studies/prepare studies/limit_states

@@ -6,6 +6,8 @@ import os
 from collections.abc import Sequence
 from typing import Any
 
+import pandas
+
 from . import engine, jobs
 from .errors import InputError
 
@@ -39,18 +41,37 @@ class Hazard:
         found: float = self._curve.rate(im)
         return found
 
+    def to_frame(self, im: Sequence[float]) -> pandas.DataFrame:
+        """``rate`` [1/year] at intensities [SI unit of the measure], index ``im``; NaN outside the points."""
+        return pandas.DataFrame({"rate": [self.rate(each) for each in im]},
+                                pandas.Index([float(each) for each in im], name="im"))
+
     def __repr__(self) -> str:
         return f"<hazard over {self.measure}>"
 
 
-def read_hazard(path: str | os.PathLike[str]) -> Hazard:
-    """A hazard file, schema "gurney-hazard/1": points, a power law, or a curve of OpenQuake.
+def read_hazard(path: str | os.PathLike[str], component: str | None = None, *,
+                measure: str | None = None, site: int | None = None) -> Hazard:
+    """A hazard file of schema "gurney-hazard/1", or a curve that another program published: OpenQuake's
+    ``hazard_curve-mean-PGA_12.csv``, or the JSON of the hazard service of the USGS. These state their
+    units (g, cm/s) and rates, but not the component.
 
-    :raises InputError: each error as ``file:line:column: what``
+    :param component: of a published curve, that of its ground-motion models: ``"RotD50"`` ...
+    :param measure: which curve, of an answer of the USGS that has several: ``"Sa(1.0)"``
+    :param site: row of the site in OpenQuake's file, from 1, if it has several
+    :raises InputError: each error as ``file:line:column: what``; a disaggregation, which is no curve
     """
     name = os.fspath(path)
     if not os.path.exists(name):
         raise InputError(f"{name}: no such file")
+    text = None
+    if component is not None:
+        text = jobs.text({"schema": "gurney-hazard/1", "component": component,
+                          "usgs" if name.endswith(".json") else "openquake": os.path.abspath(name),
+                          **{key: value for key, value in (("measure", measure), ("site", site))
+                             if value is not None}})
+    elif measure is not None or site is not None:
+        raise InputError(f"{name}: measure and site go with component, of a published curve")
     hazard = Hazard.__new__(Hazard)
-    hazard._take(engine.module().Hazard(name, None))
+    hazard._take(engine.module().Hazard("hazard" if text else name, text))
     return hazard

@@ -9,6 +9,7 @@ import numpy
 from .errors import Error
 
 if TYPE_CHECKING:
+    from .records import Selection
     from .results import Results
 
 
@@ -84,4 +85,16 @@ def cloud(results: Results, demand: str = "peak_displacement", measure: str = "i
     ax.set_xlabel(f"{shown} [{of_runs['units'][measure]}]")
     if data["configuration"].nunique() > 1:
         ax.legend(frameon=False)
+    return ax
+
+
+def selection(suite: Selection, ax: Any = None) -> Any:
+    """Spectra of selected records with the median of the target, and one standard deviation around it."""
+    ax = _axes(ax)
+    ax.plot(suite.periods, suite.spectra.T, color="0.6", lw=0.7)
+    ax.plot(suite.periods, suite.median, color="C0", label="target, median and 16 to 84 %")
+    for sign in (-1, 1):
+        ax.plot(suite.periods, suite.median * numpy.exp(sign * suite.sigma), color="C0", ls="--")
+    ax.set(xscale="log", yscale="log", xlabel="period [s]", ylabel=f"Sa, {100 * suite.facts['damping_ratio']:g} % damping [m/s2]")
+    ax.legend(frameon=False)
     return ax

@@ -8,7 +8,9 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
+import warnings
 from typing import Any
 
 from .errors import Error, InputError
@@ -33,7 +35,7 @@ def path() -> str:
 
 
 def order(*arguments: object) -> str:
-    """Runs the program, and returns what it prints.
+    """Runs the program, and returns what it prints; its notes are warnings of Python.
 
     :param arguments: those of the command line, ``order("report", "study.h5", "-o", "study.html")``
     :raises InputError: what is wrong with the input, a line for each error
@@ -41,11 +43,13 @@ def order(*arguments: object) -> str:
     done = _run([str(each) for each in arguments])
     if done.returncode not in (0, 3):  # 3: a run failed, which its report states
         raise InputError(done.stderr.strip().removeprefix("gurney: ") or done.stdout.strip())
+    _warn(done.stderr)
     return done.stdout
 
 
 def ask(*arguments: object) -> Any:
-    """Runs the program with ``--json``, and returns what it says as dicts and lists, in SI units.
+    """Runs the program with ``--json``, and returns what it says as dicts and lists, in SI units; its
+    notes are warnings of Python.
 
     :param arguments: those of the command line, ``ask("fragility", "study.h5")``
     :raises InputError: what is wrong with the input, each error as ``file:line:column: what``
@@ -56,8 +60,10 @@ def ask(*arguments: object) -> Any:
     except json.JSONDecodeError:
         raise InputError(done.stderr.strip().removeprefix("gurney: ")) from None
     if done.returncode not in (0, 3):
-        raise InputError("\n".join(_line(each) for each in answer["errors"])
+        skipped = [line for line in done.stderr.splitlines() if line.startswith("skipped: ")]
+        raise InputError("\n".join([_line(each) for each in answer["errors"]] + skipped)
                          if "errors" in answer else done.stderr.strip())
+    _warn(done.stderr)
     return answer
 
 
@@ -72,6 +78,17 @@ def page(*arguments: object) -> str:
 def _run(arguments: list[str]) -> subprocess.CompletedProcess[str]:
     return subprocess.run([path(), *arguments], capture_output=True, text=True,
                           stdin=subprocess.DEVNULL)
+
+
+def _warn(told: str) -> None:
+    """Lines such as "note: 3 records are excluded" as warnings, at the caller outside this package."""
+    depth, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        depth, frame = depth + 1, frame.f_back
+    for line in told.splitlines():
+        kind, colon, text = line.partition(": ")
+        if colon and kind in ("note", "warning", "skipped"):
+            warnings.warn(text if kind != "skipped" else line, stacklevel=depth)
 
 
 def _line(error: dict[str, Any]) -> str:

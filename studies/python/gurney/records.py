@@ -12,6 +12,7 @@ import pathlib
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from html import escape
 from typing import Any, TypeAlias, Union
 
 import numpy
@@ -19,8 +20,10 @@ import numpy.typing
 import pandas
 
 from . import program
-from .errors import InputError
+from .errors import Error, InputError
+from .units import factor
 
+Array: TypeAlias = numpy.typing.NDArray[numpy.float64]
 Source: TypeAlias = Union[str, os.PathLike[str], "Record"]
 _DIRECTIONS = {"x": "h1", "y": "h2", "z": "vertical"}
 
@@ -32,13 +35,13 @@ class Record:
     those that are there. ``notes`` says what it was made from, and how it was processed."""
 
     name: str
-    acceleration: numpy.typing.NDArray[numpy.float64] = field(repr=False)
+    acceleration: Array = field(repr=False)
     time_step: float  #: [s]
     components: tuple[str, ...] = ("h1", "h2", "vertical")
     notes: tuple[str, ...] = field(default=(), repr=False)
 
     @property
-    def time(self) -> numpy.typing.NDArray[numpy.float64]:
+    def time(self) -> Array:
         """Times of the samples [s], from 0."""
         return numpy.arange(len(self.acceleration)) * self.time_step
 
@@ -66,6 +69,47 @@ class Record:
                 f"{', '.join(self.components)}, PGA {abs(self.acceleration).max():.4g} m/s2</p>")
 
 
+def from_array(acceleration: Any, time_step: float | None = None, *, unit: str,
+               name: str = "record") -> Record:
+    """A record of an array, for everything that takes records.
+
+    :param acceleration: shape (samples,) or (samples, 1): x; (samples, 3): x, y, z. A Series or DataFrame
+        of pandas may have the times [s] as its index, a DataArray of xarray as its coordinate ``time``
+    :param time_step: [s]; not needed with such times, which must be evenly spaced
+    :param unit: ``"g"``, ``"m/s2"`` or ``"cm/s2"``; it has no default: an array in g is not one in m/s2
+    :raises InputError: another shape or unit, values that are no numbers, times that are uneven
+    """
+    try:
+        samples = numpy.asarray(acceleration, dtype=float) * factor(unit, "m/s2")
+    except (Error, TypeError, ValueError) as error:
+        raise InputError(f"{name}: {error}") from error
+    table = samples.reshape(len(samples), -1) if samples.ndim else samples
+    if table.ndim != 2 or len(table) < 2 or table.shape[1] not in (1, 3) or not numpy.isfinite(table).all():
+        raise InputError(f"{name}: must be 2 or more samples of 1 or 3 components, each a finite number; its "
+                         f"shape is {samples.shape}")
+    step = evenly_spaced(acceleration) if time_step is None else float(time_step)
+    if step is None or not step > 0:
+        raise InputError(f"{name}: needs time_step > 0 [s]")
+    return Record(name, table, step, tuple(_DIRECTIONS.values())[:table.shape[1]])
+
+
+def evenly_spaced(series: Any) -> float | None:
+    """The step [s] of the times that a Series, DataFrame or DataArray has; None: it has none."""
+    times: Any = getattr(series, "index", None)
+    if not isinstance(times, pandas.Index) or isinstance(times, pandas.RangeIndex):
+        times = series.coords.get("time") if hasattr(series, "coords") else None
+    if times is None:
+        return None
+    at = numpy.asarray(times)
+    if at.dtype.kind not in "fiu" or len(at) < 2:
+        return None
+    step = float(at[-1] - at[0]) / (len(at) - 1)
+    # Times are often written with few digits: a hundredth of a step is no gap.
+    if not step > 0 or not (abs(numpy.diff(at) / step - 1) < 0.01).all():
+        raise InputError("record: its times are not evenly spaced: resample it, or state time_step")
+    return step
+
+
 def read(path: Source, *, unit: str | None = None, time_step: float | None = None,
          steps: Sequence[str] = (), scale_to: str | None = None) -> Record:
     """A record of any format that `gurney records` knows, processed and scaled on the way.
@@ -78,6 +122,17 @@ def read(path: Source, *, unit: str | None = None, time_step: float | None = Non
     """
     options = [*_stated(unit, time_step, steps), *(["--scale-to", scale_to] if scale_to else [])]
     return _written("convert", path, *options)
+
+
+def read_all(*paths: Source, unit: str | None = None, time_step: float | None = None,
+             steps: Sequence[str] = (), scale_to: str | None = None) -> list[Record]:
+    """All records of files, folders, patterns and lists (with their factors), as :func:`read`.
+
+    :raises InputError: no record, or two of one name
+    """
+    options = [*_stated(unit, time_step, steps), *(["--scale-to", scale_to] if scale_to else [])]
+    with tempfile.TemporaryDirectory() as folder:
+        return _all_written(folder, *_paths(paths, folder), *options)
 
 
 def process(record: Source, *steps: str) -> Record:
@@ -148,6 +203,117 @@ def scale(paths: Iterable[Source], target: str, *, periods: tuple[float, float] 
     return frame
 
 
+@dataclass(frozen=True)
+class Selection:
+    """A suite that :func:`select` picked, as `gurney records select` reports it. With P periods (T* of a
+    conditional target is one of them) and N records:
+
+    ``records``: a row for each record, index ``name``, with ``event`` and ``station`` (None where they
+    are not stated), ``factor`` and ``misfit``, the root mean square over the periods of ln(factor Sa /
+    median). ``periods`` [s], shape (P,). ``spectra``: factor Sa of each record [m/s2], shape (N, P).
+    ``median`` [m/s2] and ``sigma`` (of ln Sa) of the target, and the errors ``mean_error`` and
+    ``sigma_error`` of the suite's mean and standard deviation of ln Sa, each of shape (P,). ``facts``:
+    ``candidates``, ``excluded_by_factor``, ``excluded_by_usable_period``, ``total_error``, ``seed``.
+    """
+
+    target: str
+    records: pandas.DataFrame = field(repr=False)
+    periods: Array = field(repr=False)
+    spectra: Array = field(repr=False)
+    median: Array = field(repr=False)
+    sigma: Array = field(repr=False)
+    mean_error: Array = field(repr=False)
+    sigma_error: Array = field(repr=False)
+    facts: dict[str, Any] = field(repr=False)
+    _asked: tuple[Any, ...] = field(repr=False, compare=False)
+
+    def save(self, path: str | os.PathLike[str], overwrite: bool = False) -> None:
+        """Writes the list of the suite, as ``-o`` does: ``{"excitation": {"suite": [path]}}`` of a study
+        reads it, with the factors.
+
+        :raises InputError: the file exists; a record is in memory: a list names files
+        """
+        sources, options, _ = self._asked
+        if any(isinstance(each, Record) for each in sources):
+            raise InputError(f"{os.fspath(path)}: a list names files, and a record in memory has none: "
+                             "save it first")
+        program.order("records", "select", *map(os.fspath, sources), *options, "-o", os.fspath(path),
+                      *(["--overwrite"] if overwrite else []))
+
+    def read(self) -> list[Record]:
+        """The records themselves, processed, and scaled by the factors of the list (six digits), in the
+        order of ``records``.
+
+        :raises InputError: a file of a flatfile is not in its folder
+        """
+        sources, options, stated = self._asked
+        if "--step" in stated:  # a list has no place for them
+            with tempfile.TemporaryDirectory() as folder:
+                pool = {each.name: each for each in _all_written(folder, *_paths(sources, folder), *stated)}
+            return [pool[name].scaled(by) for name, by in self.records["factor"].items()]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "selected.csv")
+            program.order("records", "select", *_paths(sources, folder), *options, "-o", path)
+            return _all_written(folder, path)
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Target and suite by period: ``median`` [m/s2], ``sigma``, ``mean_error``, ``sigma_error``, then
+        the scaled spectrum of each record [m/s2]; index ``period`` [s]."""
+        index = pandas.Index(self.periods, name="period")
+        target = {name: getattr(self, name) for name in ("median", "sigma", "mean_error", "sigma_error")}
+        return pandas.concat([pandas.DataFrame(target, index),
+                              pandas.DataFrame(self.spectra.T, index, self.records.index)], axis=1)
+
+    def _repr_html_(self) -> str:
+        html: str = self.records.to_html(float_format="{:.3f}".format, na_rep="")
+        return (f"<p>{escape(self.target)}: {len(self.records)} of {self.facts['candidates']} records</p>"
+                + html)
+
+
+def select(sources: Source | Iterable[Source], target: str, *, records: int = 20,
+           periods: tuple[float, float] | None = None, component: str | None = None,
+           factors: tuple[float, float] | None = None, scaled: bool = True, per_event: int = 0,
+           per_station: int = 0, seed: int = 1, unit: str | None = None,
+           time_step: float | None = None, steps: Sequence[str] = ()) -> Selection:
+    """Records whose scaled spectra have the mean and the variance of a target, such as a conditional
+    spectrum, by the method of Jayaram, Lin & Baker (2011); docs/theory/selection.md.
+
+    :param sources: records, folders, patterns, lists, or a flatfile of NGA-West2 by itself
+    :param target: ``"conditional magnitude=7 distance_km=10 vs30_m_per_s=400 period_s=1 epsilon=1"``,
+        ``"bssa14 ..."``, ``"table file=FILE.csv"``, ``"openquake file=FILE.csv poe=0.02"``,
+        ``"disaggregation file=FILE vs30_m_per_s=400"``, or those of :func:`scale`
+    :param records: how many, 2 or more
+    :param periods: range of the comparison (low, high) [s]; 0.05 to 5 s if not stated
+    :param component: spectrum of a record; RotD50 if not stated
+    :param factors: allowed range (low, high); 0.25 to 4 if not stated
+    :param scaled: False: records as they are
+    :param per_event: most records of one earthquake; 0: any number
+    :param per_station: most records of one station; 0: any number
+    :param unit: of files that do not state it: ``"g"``, ``"m/s2"`` ...
+    :param time_step: of files that do not state it [s]
+    :param steps: processing steps, ``"high_pass corner_hz=0.1"``
+    :returns: :class:`Selection`; what was excluded or is not stated is warned of
+    :raises InputError: the target is wrong, or too few records remain
+    """
+    given = [sources] if isinstance(sources, (str, os.PathLike, Record)) else list(sources)
+    options = ["--target", target, "--records", str(records), "--seed", str(seed), "--per-event",
+               str(per_event), "--per-station", str(per_station)]
+    for name, span in (("--periods", periods), ("--factors", factors)):
+        options += [name, f"{span[0]:.17g}:{span[1]:.17g}"] if span else []
+    options += ["--component", component] if component else []
+    options += [] if scaled else ["--unscaled"]
+    stated = _stated(unit, time_step, steps)
+    options += stated
+    found = _ask("select", given, *options)
+    rows = pandas.DataFrame(found.pop("records")).set_index("name")
+    at = pandas.DataFrame(found.pop("periods"))
+    spectra = numpy.array(rows.pop("sa_m_per_s2").tolist())
+    by_period = {name: at[name].to_numpy() for name in ("sigma", "mean_error", "sigma_error")}
+    return Selection(target=found.pop("target"), records=rows, periods=at["period_s"].to_numpy(),
+                     spectra=spectra, median=at["median_m_per_s2"].to_numpy(), facts=found,
+                     _asked=(given, options, stated), **by_period)
+
+
 def floor(record: Source, building: str | os.PathLike[str], storey: int | str = "roof") -> Record:
     """The motion of a floor of a building under a ground motion.
 
@@ -207,6 +373,8 @@ def _paths(sources: Iterable[Source], folder: str) -> list[str]:
             paths.append(str(inner / f"{source.name.replace('/', '_')}.csv"))
         else:
             paths.append(os.fspath(source))
+    if not paths:
+        raise InputError("no record, file or folder is given")
     return paths
 
 
@@ -222,6 +390,12 @@ def _written(command: str, source: Source | None, *options: str) -> Record:
         path = os.path.join(folder, "written.csv")
         program.order("records", command, *given, *options, "-o", path)
         return _read_csv(path)
+
+
+def _all_written(folder: str, *arguments: str) -> list[Record]:
+    """The records that `gurney records convert` writes, in its order."""
+    written = program.order("records", "convert", *arguments, "-o", os.path.join(folder, "written"))
+    return [_read_csv(path) for path in written.splitlines()]
 
 
 def _read_csv(path: str) -> Record:

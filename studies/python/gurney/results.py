@@ -227,6 +227,42 @@ class Results:
         """
         return self.statistics.fit(limit_state, measure, configuration, method, confidence)
 
+    def compare_records(self, demand: str = "peak_displacement", configuration: str | None = None, *,
+                        level: int | None = None) -> pandas.DataFrame:
+        """The records at one level by what they do to an item, as `gurney compare --records` ranks them:
+        index ``record``, first those that overturn it, then the largest demand; columns ``demand`` and
+        ``predicted`` (by the best measure, from the other records) in SI units, ``overturned`` and
+        ``runs``, each intensity measure, and ``reason``.
+
+        ``attrs``: ``verdict``, ``level``, ``item``, ``units`` of the columns, and ``explained``: the share
+        of the scatter that each measure predicts.
+
+        :param demand: ``"peak_velocity"``; of several items ``"icu_bed: peak_velocity"``
+        :param configuration: its name; needed where there are several
+        :param level: the N-th, from 1; the highest if not stated
+        :raises InputError: an IDA, a single record, or a name that the file does not have
+        """
+        options = ["--configuration", configuration] if configuration is not None else []
+        options += ["--level", str(level)] if level is not None else []
+        found = program.ask("compare", self._on_disk(), "--records", "--demand", demand, *options)
+        if len(found) != 1:
+            raise Error(f"{self.path}: which of "
+                        + ", ".join(f"'{each['item']}: {demand}' of '{each['configuration']}'"
+                                    for each in found) + "?")
+        ranking = found[0]
+        frame = pandas.DataFrame(ranking["records"]).rename(columns={"name": "record"}).set_index("record")
+        reasons = frame.pop("reason")
+        units = {"demand": ranking["units"], "predicted": ranking["units"]}
+        for each in ranking["measures"]:
+            frame[each["name"]] = each["values"]
+            units[each["name"]] = each["units"]
+        frame["reason"] = reasons
+        frame["predicted"] = frame["predicted"].astype(float)
+        frame.attrs = {"verdict": ranking["verdict"], "level": ranking["level"], "item": ranking["item"],
+                       "units": units,
+                       "explained": {each["name"]: each["explained"] for each in ranking["measures"]}}
+        return frame
+
     def to_frame(self) -> pandas.DataFrame:
         """A row for each item of each run: its demands, and what the run was given, index
         ``(run, item)``; ``attrs["units"]`` has the unit of each column."""

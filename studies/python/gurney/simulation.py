@@ -21,7 +21,7 @@ import pandas
 from . import engine, jobs, program
 from .errors import InputError
 from .page import Page
-from .records import Record
+from .records import Record, evenly_spaced
 from .results import Results
 
 Array = numpy.typing.NDArray[numpy.float64]
@@ -37,8 +37,8 @@ def simulate(item: Item, record: Motion = None, time_step: float | None = None, 
     :param item: a name of the catalogue, a path of an item file (``"my_item.toml"``), a dict with the
         keys of ``[item]`` of a job (:func:`gurney.item` makes one), or a list of such dicts
     :param record: acceleration of the floor [m/s2] as an array, one row for each time, with one
-        column (x) or three (x, y, z), up to 100 g, and ``time_step``; or a
-        :class:`gurney.records.Record`; or the path of a record file; or a dict with the keys of
+        column (x) or three (x, y, z), up to 100 g, and ``time_step``, unless it is a Series, DataFrame or
+        DataArray with its times [s]; or a :class:`gurney.records.Record`; or the path of a record file; or a dict with the keys of
         ``[excitation.record]``; or None: the floor rests
     :param time_step: of an array, 0.00001 to 1 [s]
     :param predictability: run the twin as well, as ``gurney run`` does; False takes half the time
@@ -54,7 +54,8 @@ def simulate(item: Item, record: Motion = None, time_step: float | None = None, 
     if isinstance(record, Record) and time_step is None:
         samples, step = record.acceleration, record.time_step
     elif record is not None and not isinstance(record, (str, os.PathLike, Mapping, Record)):
-        samples, step = _samples(record), _step(time_step)
+        samples = _samples(record)
+        step = _step(evenly_spaced(record) if time_step is None else time_step)
     elif time_step is not None:
         raise InputError("time_step goes with an array; of a file it is "
                          "record={'file': ..., 'time_step_s': ...}")
@@ -69,7 +70,8 @@ def simulate_many(cases: Iterable[Mapping[str, Any]], *, threads: int | None = N
     """Many runs, side by side.
 
     :param cases: the arguments of :func:`simulate` of each run, by name:
-        ``{"item": "icu_bed", "record": pulse, "time_step": 0.005}``
+        ``{"item": "icu_bed", "record": pulse, "time_step": 0.005}``; a ``label``, a text or a dict, is
+        for :meth:`Runs.to_frame` alone
     :param threads: all of the machine if not stated; the runs have the same bits for any number
     :returns: :class:`Runs`, in the order of the cases
     :raises InputError: of the first case that is wrong
@@ -77,8 +79,9 @@ def simulate_many(cases: Iterable[Mapping[str, Any]], *, threads: int | None = N
     given = [dict(case) for case in cases]
     if threads is not None and threads < 1:
         raise InputError(f"threads = {threads}: must be 1 or more")
+    asked = [{key: value for key, value in case.items() if key != "label"} for case in given]
     with multiprocessing.pool.ThreadPool(threads or os.cpu_count()) as pool:
-        return Runs(given, pool.map(lambda case: simulate(**case), given, chunksize=1))
+        return Runs(given, pool.map(lambda case: simulate(**case), asked, chunksize=1))
 
 
 def run(job: str | os.PathLike[str] | Mapping[str, Any],
@@ -212,14 +215,18 @@ class Runs(list[Run]):
 
     def to_frame(self) -> pandas.DataFrame:
         """A row for each item of each run, index ``(run, item)``: the numbers, texts and booleans of
-        its case, by dotted names (``item.brakes``), ``outcome``, and the demands in SI units."""
+        its case, by dotted names (``item.brakes``), ``outcome``, and the demands in SI units, which
+        ``attrs["units"]`` has."""
         rows = []
         for number, (case, run) in enumerate(zip(self.cases, self)):
             given = {**dict(_scalars(case, "")), "outcome": run.outcome}
             for item in run.items:
                 rows.append({"run": number, "item": item, **{f"case.{name}" if name == "item" else name:
                              value for name, value in given.items()}, **run.demands.get(item, {})})
-        return pandas.DataFrame(rows).set_index(["run", "item"]) if rows else pandas.DataFrame()
+        frame = pandas.DataFrame(rows).set_index(["run", "item"]) if rows else pandas.DataFrame()
+        known = next((run for run in self if not run.failed), None)
+        frame.attrs["units"] = dict(known.results.demands.attrs["units"]) if known else {}
+        return frame
 
     def _repr_html_(self) -> str:
         html: str = self.to_frame().to_html(float_format="{:.4g}".format, max_rows=20, max_cols=12)
@@ -266,7 +273,7 @@ def _samples(record: Any) -> Array:
 
 def _step(time_step: Any) -> float:
     if time_step is None:
-        raise InputError("record: an array needs time_step [s]")
+        raise InputError("record: an array needs time_step [s], or times as its index")
     if isinstance(time_step, numpy.ndarray) and time_step.ndim == 0:
         time_step = time_step[()]
     if not _is_real(time_step):

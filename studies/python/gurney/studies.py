@@ -37,13 +37,18 @@ def study(job: str | os.PathLike[str] | Mapping[str, Any], output: str | os.Path
     paths start, that of the job file, of a dict that of the results.
     """
     file = pathlib.Path(output)
-    path = _job_file(job, overrides or {}, file)
+    path, is_new = _job_file(job, overrides or {}, file)
     command = [program.path(), "run", str(path), "-o", str(file)]
     command += ["-j", str(threads)] if threads is not None else []
     command += [f"--{name}" for name, wanted in (("resume", resume), ("overwrite", overwrite))
                 if wanted]
     tell = progress if callable(progress) else _print if progress else lambda line: None
-    _follow(command, tell)
+    try:
+        _follow(command, tell)
+    except InputError:
+        if is_new:
+            path.unlink()
+        raise
     return Results(str(file))
 
 
@@ -52,11 +57,12 @@ def _print(line: str) -> None:
 
 
 def _job_file(job: str | os.PathLike[str] | Mapping[str, Any], overrides: Mapping[str, Any],
-              output: pathlib.Path) -> pathlib.Path:
+              output: pathlib.Path) -> tuple[pathlib.Path, bool]:
+    """The file of the job, and whether this call made it."""
     if isinstance(job, (str, os.PathLike)):
         path = pathlib.Path(job)
         if not overrides:
-            return path
+            return path, False
         given, folder = jobs.read_job(path), path.parent
     else:
         given, folder = dict(job), output.parent
@@ -64,8 +70,9 @@ def _job_file(job: str | os.PathLike[str] | Mapping[str, Any], overrides: Mappin
     if "study" not in changed:
         raise InputError("the job has no table [study]: gurney.run() makes a single run")
     path = folder / f"{output.stem}.job.json"
+    is_new = not path.exists()
     path.write_text(jobs.text(changed), encoding="utf-8")
-    return path
+    return path, is_new
 
 
 def _follow(command: list[str], tell: Callable[[str], None]) -> None:

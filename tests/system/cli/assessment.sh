@@ -149,6 +149,15 @@ expect 1 "known: icu_ventilator" "$gurney" show plain.h5 --limit-state 'door: en
 expect 1 "missing.toml" "$gurney" compare plain.h5 --limit-states missing.toml
 expect 1 "the hazard is over PGA geomean, the curves are over pfa" \
   "$gurney" fragility plain.h5 --hazard hazard.toml --measure pfa
+
+# The points of hazard.toml as an answer of the USGS (synthetic): levels in g, rates as they are.
+cat > usgs.json << 'JSON'
+{"response": {"hazardCurves": [{"imt": {"value": "PGA"}, "data": [{"component": "Total",
+  "values": {"xs": [0.1, 0.4, 2], "ys": [1e-2, 2e-3, 1e-4]}}]}]}}
+JSON
+printf 'schema = "gurney-hazard/1"\nusgs = "usgs.json"\ncomponent = "geomean"\n' > usgs.toml
+"$gurney" fragility plain.h5 --limit-states limits.toml --hazard usgs.toml --json > usgs.txt
+same usgs.txt given.json
 expect 1 "the file is a hazard curve, not a list of limit states" \
   "$gurney" measures plain.h5 --limit-states hazard.toml
 expect 1 "several limit states are given" "$gurney" sensitivity plain.h5 --limit-states limits.toml

@@ -19,6 +19,7 @@ sys.path.insert(1, support.PACKAGE)
 import api_page  # noqa: E402
 import gurney  # noqa: E402
 import numpy  # noqa: E402
+import pandas  # noqa: E402
 
 JOBS = os.path.join(support.SOURCE, "studies/jobs")
 SHAKE = os.path.join(JOBS, "icu_ventilator_shake.toml")
@@ -162,6 +163,9 @@ class Studies(InFolder):
         self.assertTrue(os.path.exists("few.job.json"))
         with self.assertRaisesRegex(gurney.InputError, r"no table \[study\]"):
             gurney.study({"item": {"equipment": "icu_bed"}}, "none.h5")
+        with self.assertRaisesRegex(gurney.InputError, "wrong.job.json:/study/drawz"):
+            gurney.study(job, "wrong.h5", overrides={"study.drawz": 2}, progress=False)
+        self.assertFalse(os.path.exists("wrong.job.json"))
         with self.assertRaisesRegex(gurney.InputError, "few.job.json:/study/drawz"):
             gurney.study(job, "few.h5", overrides={"study.drawz": 2}, overwrite=True, progress=False)
 
@@ -228,6 +232,171 @@ class Records(InFolder):
                 wrong()
 
 
+class Arrays(unittest.TestCase):
+    PULSE = 3 * numpy.sin(2 * numpy.pi * numpy.arange(0, 2, 0.01))
+
+    def test_times_of_an_index_are_the_time_step(self):
+        series = pandas.Series(self.PULSE, 5 + numpy.arange(200).round(2) * 0.01)
+        expected = gurney.simulate("xu_trolley", self.PULSE, 0.01, **SHORT).demands["xu_trolley"]
+        found = gurney.simulate("xu_trolley", series, **SHORT).demands["xu_trolley"]
+        # The step of times that were added up is 0.01 to 1e-15; the motion of half a metre follows.
+        self.assertAlmostEqual(found["peak_displacement"], expected["peak_displacement"], delta=1e-9)
+        for wrong in (self.PULSE, list(self.PULSE), pandas.Series(self.PULSE)):  # an index of 0, 1, 2 is no time
+            with self.assertRaisesRegex(gurney.InputError, "needs time_step"):
+                gurney.simulate("xu_trolley", wrong)
+        with self.assertRaisesRegex(gurney.InputError, "not evenly spaced"):
+            gurney.simulate("xu_trolley", series.drop(series.index[50]))
+
+    def test_records_of_arrays_state_their_unit(self):
+        record = gurney.records.from_array(self.PULSE / 9.80665, 0.01, unit="g")
+        numpy.testing.assert_allclose(record.acceleration[:, 0], self.PULSE, rtol=1e-15, atol=1e-15)
+        self.assertEqual((record.components, record.time_step), (("h1",), 0.01))
+        self.assertAlmostEqual(gurney.records.measures(record, ["PGA"]).loc["PGA", "h1"], 3, delta=1e-12)
+        frame = pandas.DataFrame(numpy.outer(self.PULSE, [1, 2, 3]), numpy.arange(200) * 0.01)
+        self.assertEqual(gurney.records.from_array(frame, unit="cm/s2").to_frame()["vertical"].max(),
+                         0.03 * self.PULSE.max())
+        for array, step, unit, message in (
+                (self.PULSE, 0.01, "m/s", "the unit must be"), (self.PULSE, None, "g", "time_step"),
+                (numpy.zeros((5, 2)), 0.01, "g", r"\(5, 2\)"), ([1, numpy.nan], 0.01, "g", "finite"),
+                ("abc", 0.01, "g", "record"), (3.0, 0.01, "g", "2 or more samples")):
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.records.from_array(array, step, unit=unit)
+
+    def test_labels_are_for_the_frame_alone(self):
+        cases = [{"item": "xu_trolley", "record": self.PULSE, "time_step": 0.01, "label": label, **SHORT}
+                 for label in ("a", "b")]
+        frame = gurney.simulate_many(cases).to_frame()
+        self.assertEqual(frame["label"].tolist(), ["a", "b"])
+        self.assertEqual(frame.attrs["units"]["peak_displacement"], "m")
+
+
+class Hazards(InFolder):
+    def test_published_curves_need_their_component_alone(self):
+        answer = {"response": {"hazardCurves": [{"imt": {"value": imt}, "data": [{
+            "component": "Total", "values": {"xs": [0.1, 1], "ys": [0.01, rate]}}]}
+            for imt, rate in (("PGA", 1e-4), ("SA1P0", 1e-5))]}}  # synthetic
+        with open("usgs.json", "w", encoding="utf-8") as file:
+            json.dump(answer, file)
+        with open("oq.csv", "w", encoding="utf-8") as file:  # synthetic
+            file.write("#,\"imt='PGA', investigation_time=1.0\"\nlon,lat,poe-0.1,poe-1.0\n1,2,0.5,0.1\n")
+        hazard = gurney.read_hazard("usgs.json", "RotD50", measure="PGA")
+        self.assertEqual(hazard.measure, "PGA RotD50")
+        middle = 9.80665 * 10 ** -0.5  # in g; log-log
+        self.assertAlmostEqual(hazard.rate(middle), 1e-3, delta=1e-15)
+        self.assertTrue(numpy.isnan(hazard.to_frame([middle, 99]).iloc[1, 0]))
+        self.assertAlmostEqual(gurney.read_hazard("oq.csv", "RotD50").rate(9.80665), -numpy.log(0.9), delta=1e-15)
+        for asked, message in ((("usgs.json",), "component"), (("usgs.json", "RotD50"), "measure must be given"),
+                               (("oq.csv", "RotD51"), "RotD50"), (("none.csv", "RotD50"), "no such file")):
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.read_hazard(*asked)
+        with self.assertRaisesRegex(gurney.InputError, "go with component"):
+            gurney.read_hazard("oq.csv", site=2)
+
+
+class ComparedRecords(InFolder):
+    def test_a_measure_predicts_each_record_from_the_others(self):
+        job = gurney.read_job(os.path.join(JOBS, "ventilator_brakes.toml"))
+        with gurney.study(job, "study.h5", progress=False, overrides={
+                "study.synthetic_records": 7, "study.draws": 2, "study.measures": ["PGV", "Sa(0.3)"],
+                "study.intensity.levels": [0.2, 0.4]}) as study:
+            ranking = study.compare_records(configuration="free")
+            frame = study.to_frame().reset_index()
+            for wrong in ({"configuration": "freee"}, {"demand": "peak_tlt"}, {"level": 3}):
+                with self.assertRaises(gurney.InputError):
+                    study.compare_records(**{"configuration": "free", **wrong})
+            with self.assertRaisesRegex(gurney.Error, "of 'locked'"):
+                study.compare_records()
+        frame = frame[(frame["configuration"] == "free") & (frame["intensity"] > 3)]
+        means = frame.groupby("record")[["peak_displacement", "PGV geomean", "Sa(0.3) geomean", "pfv"]].mean()
+        means = means.loc[ranking.index]
+        numpy.testing.assert_allclose(ranking["demand"], means["peak_displacement"], rtol=1e-12)
+        self.assertEqual(ranking["demand"].tolist(), sorted(ranking["demand"], reverse=True))
+        self.assertEqual((ranking["runs"].tolist(), ranking.attrs["units"]["pfv"]), ([2] * 7, "m/s"))
+        y, predicted = numpy.log(means["peak_displacement"].to_numpy()), {}
+        for name in means.columns[1:]:  # each record by a line through the other six
+            x = numpy.log(means[name].to_numpy())
+            others = [numpy.arange(7) != i for i in range(7)]
+            predicted[name] = [numpy.polyval(numpy.polyfit(x[i], y[i], 1), x[~i])[0] for i in others]
+            of_mean = [y[i].mean() for i in others]
+            share = 1 - sum((y - predicted[name]) ** 2) / sum((y - of_mean) ** 2)
+            self.assertAlmostEqual(ranking.attrs["explained"][name], share, delta=1e-9)
+        best = next(iter(ranking.attrs["explained"]))
+        self.assertEqual(ranking.attrs["explained"][best], max(ranking.attrs["explained"].values()))
+        numpy.testing.assert_allclose(ranking["predicted"], numpy.exp(predicted[best]), rtol=1e-9)
+        self.assertIn(best, ranking.attrs["verdict"])
+
+
+class Selections(InFolder):
+    TARGET = "conditional magnitude=7 distance_km=10 vs30_m_per_s=400 period_s=1 epsilon=1"
+
+    def setUp(self):
+        super().setUp()
+        os.mkdir("pool")
+        for seed in range(8):
+            gurney.records.make("stochastic", seed=seed + 1, frequency_hz=seed % 4 + 1).save(f"pool/{seed}.csv")
+
+    def test_a_suite_is_that_of_the_program(self):
+        listed = json.loads(support.gurney("records", "select", "pool", "--target", self.TARGET, "-n", 4,
+                                           "--seed", 7, "--json", "-o", "program.csv"))
+        suite = gurney.records.select("pool", self.TARGET, records=4, seed=7)
+        self.assertEqual(suite.target, listed["target"])
+        for row, (name, mine) in zip(listed["records"], suite.records.iterrows()):
+            self.assertEqual((name, mine["factor"], mine["misfit"]),
+                             (row["name"], row["factor"], row["misfit"]))
+        self.assertEqual(suite.spectra.tolist(), [each["sa_m_per_s2"] for each in listed["records"]])
+        for mine, name in ((suite.periods, "period_s"), (suite.median, "median_m_per_s2"),
+                           (suite.sigma, "sigma"), (suite.mean_error, "mean_error")):
+            self.assertEqual(mine.tolist(), [each[name] for each in listed["periods"]])
+        self.assertEqual(suite.facts["total_error"], listed["total_error"])
+        self.assertEqual(suite.to_frame()[listed["records"][2]["name"]].tolist(), suite.spectra[2].tolist())
+        self.assertIn(suite.records.index[0], suite._repr_html_())
+        suite.save("mine.csv")
+        with open("mine.csv", encoding="utf-8") as mine, open("program.csv", encoding="utf-8") as program:
+            self.assertEqual(mine.read(), program.read())
+        with self.assertRaisesRegex(gurney.InputError, "mine.csv"):
+            suite.save("mine.csv")
+
+    def test_the_records_have_the_spectra(self):
+        for steps in ((), ("high_pass corner_hz=0.2",)):
+            suite = gurney.records.select(["pool"], self.TARGET, records=3, component="larger", steps=steps)
+            for record, row in zip(suite.read(), suite.spectra):
+                own = gurney.records.spectrum(record, suite.periods[::6])[["h1", "h2"]].max(axis=1)
+                # A list has the factors with six digits; the periods go as text with six.
+                numpy.testing.assert_allclose(own, row[::6], rtol=1e-4)
+
+    def test_records_in_memory(self):
+        files = gurney.records.read_all("pool")
+        self.assertEqual([each.name for each in files], [str(each) for each in range(8)])
+        suite = gurney.records.select(files, self.TARGET, records=3)
+        self.assertEqual(suite.records["factor"].tolist(),
+                         gurney.records.select("pool", self.TARGET, records=3).records["factor"].tolist())
+        self.assertEqual([each.name for each in suite.read()], suite.records.index.tolist())
+        with self.assertRaisesRegex(gurney.InputError, "save it first"):
+            suite.save("list.csv")
+
+    def test_what_is_left_out_is_warned_of(self):
+        with self.assertWarnsRegex(UserWarning, "records are excluded: their factor is not in 0.5:1.5"):
+            gurney.records.select("pool", self.TARGET, records=2, factors=(0.5, 1.5))
+        alone = gurney.records.make("ricker", period_s=1)  # has h1 only, hence no RotD50
+        for wrong, message in (((alone, self.TARGET), "skipped: .*h2"), (("pool", "condtional"), "conditional"),
+                               (([], self.TARGET), "no record"), (("nowhere", self.TARGET), "nowhere")):
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.records.select(*wrong)
+        with open("bins.csv", "w", encoding="utf-8") as file:  # synthetic
+            file.write("#\nimt,iml,poe,mag,dist,eps,mean\nSA(1.0),0.4,0.02,6.5,15,1,0.01\n"
+                       "SA(1.0),0.4,0.02,7.5,15,1,0.01\n")
+        suite = gurney.records.select("pool", "disaggregation file=bins.csv vs30_m_per_s=400", records=2,
+                                      factors=(0.1, 10))
+        same = gurney.records.select(
+            "pool", "conditional magnitude=7 distance_km=15 vs30_m_per_s=400 period_s=1 sa_g=0.4", records=2,
+            factors=(0.1, 10))
+        numpy.testing.assert_allclose(suite.median, same.median, rtol=1e-12)
+        self.assertEqual(suite.records.index.tolist(), same.records.index.tolist())
+        self.assertRegex(suite.target, r"Sa\(1 s\) = 0.4 g, .*M 7, .*bins.csv, whose epsilon is 1")
+        with self.assertRaisesRegex(gurney.InputError, "20 are to be selected"):
+            gurney.records.select("pool", self.TARGET)
+
+
 class Described(unittest.TestCase):
     def test_everything_public_is_annotated_and_described(self):
         for _, module, names in api_page.GROUPS:
@@ -261,4 +430,4 @@ class Described(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=["api.py", "-v"])
+    unittest.main(argv=["api.py", "-v", *sys.argv[4:]])

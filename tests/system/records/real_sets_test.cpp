@@ -8,20 +8,20 @@
 namespace gurney::groundmotions {
 namespace {
 
-using Files = std::set<std::string>;
+using FileNames = std::set<std::string>;
 
 /// Sets of files that belong together: component_sets.csv beside the real files.
 class RealSets : public RealRecords {
  protected:
-  std::vector<Files> sets() const {
+  std::vector<FileNames> sets() const {
     std::ifstream stream(folder_ / "component_sets.csv");
-    std::vector<Files> all;
+    std::vector<FileNames> all;
     std::string line;
     for (std::getline(stream, line); std::getline(stream, line);) {
       std::istringstream text(line);
       std::vector<std::string> cells;
       for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-      Files files(cells.begin() + 1, cells.begin() + 4);
+      FileNames files(cells.begin() + 1, cells.begin() + 4);
       files.erase("");
       all.push_back(files);
     }
@@ -47,12 +47,12 @@ class RealSets : public RealRecords {
 TEST_F(RealSets, FilesOfOneRecordAreOneRecordOfTheirFolder) {
   const auto all = sets();
   EXPECT_GT(all.size(), 30u);
-  for (const Files& files : all) {
+  for (const FileNames& files : all) {
     SCOPED_TRACE(*files.begin());
     const std::string folder = std::filesystem::path(*files.begin()).parent_path().string();
     const Suite& suite = suite_of(folder);
     const auto record = std::ranges::find_if(suite.records, [&](const SuiteRecord& each) {
-      Files own;
+      FileNames own;
       for (const RecordFile& file : each.files)
         own.insert(file.path.lexically_relative(folder_).string());
       return own == files;
