@@ -345,7 +345,9 @@ Building read_building(Table& table, const std::string& name) {
 
 int read_floor(Table& table, const Building& building) {
   if (!table.is_text("floor")) return table.integer("floor", 0, building.storeys);
-  table.choice("floor", {"roof"});
+  if (const std::string name = table.text("floor"); name != "roof")
+    table.note("floor", fmt::format(" = \"{}\": must be \"roof\" or a whole number in 0..{}", name,
+                                    building.storeys));
   return building.storeys;
 }
 
