@@ -154,8 +154,13 @@ study::PreparedRun source_of(const std::string& path, const std::string& job) {
                     word = value_of(log, "run");
   std::size_t run = 0;
   const auto read = std::from_chars(word.data(), word.data() + word.size(), run);
-  if (made.empty() || read.ec != std::errc() || read.ptr != word.data() + word.size())
+  if (made.empty() || read.ec != std::errc() || read.ptr != word.data() + word.size()) {
+    require(!study::has_study(job),
+            path +
+                ": is one run of a study, and its log does not name which: gurney explain "
+                "STUDY.h5 --run N, or repeat it with gurney replay");
     return study::prepare_run(job);
+  }
   require(is_there(made), fmt::format("{}: is run {} of the study {}, which {}", path, run, made,
                                       why_not_there(made)));
   return StudyCase(made, run, job).prepared();
