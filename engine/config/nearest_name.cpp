@@ -41,14 +41,21 @@ bool is_beginning(const std::string& name, const std::string& known) {
   return name.size() >= kFewestLetters && plain(known).starts_with(plain(name));
 }
 
+/// `ventilator` for `icu_ventilator`.
+bool is_end(const std::string& name, const std::string& known) {
+  constexpr std::size_t kFewestLetters = 4;
+  return name.size() >= kFewestLetters && in_lower_case(known).ends_with('_' + in_lower_case(name));
+}
+
 /// A third of the letters wrong is still a typo; more is another word.
 int largest_distance(const std::string& name) {
   const int letters = static_cast<int>(name.size());
   return std::min(std::max(2, letters / 3), letters - 1);
 }
 
-/// Order of preference: the word spelt otherwise, then one letter wrong, then a forgotten unit, then a typo:
-/// `swivel` is `swivels` and not the beginning of `swivel_lock`.
+/// Order of preference: the word spelt otherwise, the first word of a name (`PGV` for `PGV geomean`),
+/// one letter wrong, a forgotten unit, a typo, the end of one name only: `swivel` is `swivels` and not
+/// the beginning of `swivel_lock`.
 const std::string* nearest(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t kLongest = 200;  // a file may have keys of megabytes
   if (name.size() > kLongest) return nullptr;
@@ -62,11 +69,16 @@ const std::string* nearest(const std::string& name, const std::vector<std::strin
   };
   if (const auto* same = found([&](const auto& each) { return plain(each) == plain(name); }))
     return same;
+  if (const auto* begun =
+          found([&](const auto& each) { return in_lower_case(each).starts_with(lower + ' '); }))
+    return begun;
   const std::string& closest = *std::ranges::min_element(known, {}, distance);
   if (distance(closest) <= std::min(1, largest_distance(name))) return &closest;
   if (const auto* longer = found([&](const auto& each) { return is_beginning(name, each); }))
     return longer;
-  return distance(closest) <= largest_distance(name) ? &closest : nullptr;
+  if (distance(closest) <= largest_distance(name)) return &closest;
+  const auto ends = [&](const auto& each) { return is_end(name, each); };
+  return std::ranges::count_if(known, ends) == 1 ? found(ends) : nullptr;
 }
 
 }  // namespace

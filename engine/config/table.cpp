@@ -69,7 +69,11 @@ std::size_t Table::choice(const std::string& key, const std::vector<std::string>
   if (node == nullptr) return fallback.value_or(0);
   for (std::size_t i = 0; i < allowed.size(); ++i)
     if (node->kind == Node::Kind::kText && node->text == allowed[i]) return i;
-  note_value(*node, key, "one of " + list + near_name(node->text, allowed));
+  constexpr std::size_t kMany = 12;  // names that make more than a line
+  const std::string near = near_name(node->text, allowed);
+  note_value(
+      *node, key,
+      near.empty() || allowed.size() <= kMany ? "one of " + list + near : "a known name" + near);
   return fallback.value_or(0);
 }
 

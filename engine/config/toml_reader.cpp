@@ -104,6 +104,8 @@ bool is_open_header(const std::string& text, Place& place) {
 
 std::string explained(const std::string& text, const std::string& description, Place& place) {
   if (is_open_header(text, place)) return "']' is missing at the end of the name of a table";
+  if (description.find("cannot redefine existing table") != std::string::npos)
+    return description + "; of several tables with one name each begins with [[name]]";
   const std::string word = bare_word(text, place);
   if (word.empty() || word == "true" || word == "false") return description;
   return "invalid value `" + word + "`; expected true, false, a number, or text in quotes";

@@ -38,6 +38,15 @@ KindNames names_of(DataKind kind) {
 
 fs::path folder_of(DataKind kind) { return fs::path(data_folder()) / names_of(kind).folder; }
 
+/// `; 'R100' is a caster`; empty: no name of the catalogue.
+std::string of_another_kind(const std::string& name) {
+  for (const DataKind kind : {DataKind::kItem, DataKind::kCaster, DataKind::kFloor, DataKind::kRoom,
+                              DataKind::kTether, DataKind::kBuilding})
+    if (config::FileSnapshot::exists(folder_of(kind) / (name + ".toml")))
+      return "; '" + name + "' is the name of another kind: " + names_of(kind).noun;
+  return {};
+}
+
 }  // namespace
 
 std::string data_folder() { return find_data_folder().path; }
@@ -72,7 +81,8 @@ std::string find_data(DataKind kind, const std::string& name, const std::string&
     const fs::path beside = fs::path(named_in).parent_path() / (name + ".toml");
     const std::string file_beside =
         config::FileSnapshot::exists(beside) ? "; for the file write " + name + ".toml" : "";
-    std::string known = config::near_name(name, names);
+    std::string known = of_another_kind(name);
+    if (known.empty()) known = config::near_name(name, names);
     if (known.empty() && file_beside.empty()) {
       for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
       known = " (the catalogue has " + known + ")";

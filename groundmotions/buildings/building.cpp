@@ -428,11 +428,15 @@ int read_floor(Table& table, const Building& building) {
       table.note("floor", fmt::format(" = {}: must be {}", number, floor_names(building)));
     return found.value_or(0);
   }
-  std::vector<std::string> names;
-  if (named) names = building.tables->floors;
+  if (!named) {
+    if (const std::string name = table.text("floor"); name != "roof")
+      table.note("floor", fmt::format(" = \"{}\": must be \"roof\" or a whole number in 0..{}", name,
+                                      building.storeys));
+    return building.storeys;
+  }
+  std::vector<std::string> names = building.tables->floors;
   if (std::ranges::find(names, "roof") == names.end()) names.emplace_back("roof");
-  const std::size_t found = table.choice("floor", names);
-  return std::min(static_cast<int>(found) + (named ? 0 : building.storeys), building.storeys);
+  return std::min(static_cast<int>(table.choice("floor", names)), building.storeys);
 }
 
 Building building_from_file(const std::string& path) {

@@ -16,7 +16,9 @@ using groundmotions::Direction;
 
 void check(std::span<const double> samples, std::size_t columns, double time_step) {
   require(columns == 1 || columns == 3,
-          fmt::format("record: has {} columns; must have 1 (x) or 3 (x, y, z)", columns));
+          fmt::format("record: has {} columns; must have 1 (x) or 3 (x, y, z), and a row for each "
+                      "time",
+                      columns));
   require(samples.size() >= 2 * columns,
           fmt::format("record: has {} samples; must have 2 or more", samples.size() / columns));
   require(groundmotions::is_time_step(time_step),

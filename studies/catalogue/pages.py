@@ -75,8 +75,8 @@ def overview(advice, names):
 
 def overview_page(advice, names):
     return ["# What to brake, what to tether, what to leave", "",
-            *wrapped(f"At a peak floor velocity of {SPEED} m/s on an upper floor of a flexible building, on an open floor, "
-                     f"by {MOTION_COUNT} motions ([rule](methods.md#what-to-do)). {CAUTION}"), "",
+            *wrapped(f"What to do at a peak floor velocity of {SPEED} m/s, upstairs in a flexible building, on an open "
+                     f"floor, from {MOTION_COUNT} motions ([rule](methods.md#what-to-do)). {CAUTION}"), "",
             *decisions(advice, names), "",
             "Where the results are inconclusive, tether the item: that is safe in either case.", "",
             "Probabilities, with intervals of 95 %:", "",

@@ -72,7 +72,7 @@ void require_job(const std::string& path, const std::string& command) {
                       path, command, name));
   require(is_toml_or_json(path) || !is_record(path),
           fmt::format("{}: is the file of a record; gurney {} takes a job. To inspect it: gurney "
-                      "records info {}; for a job that uses it: gurney new job --record {}",
+                      "records info {}; for a job that uses it: gurney new job NAME --record {}",
                       path, command, name, name));
 }
 

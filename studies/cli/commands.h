@@ -24,7 +24,8 @@ class Options {
     if constexpr (std::is_same_v<T, bool>)
       return command_.add_flag(names, value, help);
     else
-      return named(command_.add_option(only_names(names), value, help), names, is_number(value));
+      return named(without_sign<T>(command_.add_option(only_names(names), value, help)), names,
+                   is_number(value));
   }
 
   /// An option whose value is handed to `take`.
@@ -58,6 +59,16 @@ class Options {
     return names.substr(0, names.find(' '));
   }
   static CLI::Option* named(CLI::Option* option, const std::string& names, bool number);
+  /// Refuses `-1` for an unsigned number, which CLI11 takes for 2^64 - 1.
+  template <class T>
+  static CLI::Option* without_sign(CLI::Option* option) {
+    if constexpr (std::is_unsigned_v<T> || std::is_same_v<T, std::optional<std::size_t>> ||
+                  std::is_same_v<T, std::vector<std::size_t>>)
+      option->check(std::function<std::string(const std::string&)>([](const std::string& text) {
+        return text.starts_with('-') ? text + ": must be a whole number, 0 or more" : std::string();
+      }));
+    return option;
+  }
   template <class T>
   static constexpr bool is_number(const T&) {
     return std::is_arithmetic_v<T>;

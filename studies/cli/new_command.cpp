@@ -139,8 +139,12 @@ std::string use_records(const fs::path& folder, const std::string& unit, const f
       (reason.empty() ? files : spare) +=
           fmt::format("  {}\"{}\",\n", reason.empty() ? "" : "# ", seen_from(file, each));
   }
-  require(!names.empty(), fmt::format("{}: no record is fit for the study\n{}", folder.string(),
-                                      fmt::join(left_out, "\n")));
+  require(
+      !names.empty(),
+      fmt::format("{}: no record is fit for the study, whose levels reach {:g} g\n{}\nfor weak "
+                  "records: gurney new study NAME, then name them in its suite and lower its "
+                  "levels",
+                  folder.string(), kHighestLevel / kStandardGravity, fmt::join(left_out, "\n")));
   std::string text = comment(fmt::format("{} records: {}", names.size(), fmt::join(names, ", ")));
   for (const std::string& reason : found.refused) text += comment("excluded: " + reason);
   for (const std::string& reason : left_out) text += comment("excluded: " + reason);
@@ -172,6 +176,7 @@ namespace fs = std::filesystem;
 
 struct NewOptions {
   std::string kind, name, records, unit;
+  std::vector<std::string> record;
   templates::Wishes wishes;
 };
 
@@ -187,6 +192,27 @@ std::string seen_from(const fs::path& file, const std::string& option, equipment
   }
   if (name.find('/') == std::string::npos && fs::path(name).extension() != ".toml") return name;
   return fs::absolute(found).lexically_proximate(fs::absolute(file).parent_path()).string();
+}
+
+/// Lines of [excitation.record] for the files of one record.
+/// @throws Error for files that cannot be read
+std::string record_lines(const std::vector<std::string>& names, const std::string& unit,
+                         const fs::path& file) {
+  std::vector<groundmotions::RecordFile> files;
+  std::vector<std::string> paths;
+  for (const std::string& name : names) {
+    files.push_back({.path = name});
+    paths.push_back('"' + seen_from(file, name) + '"');
+  }
+  groundmotions::ReadOptions options;
+  options.unit = unit;
+  const groundmotions::Record record = groundmotions::read_record(files, options);
+  std::string use, text = fmt::format("file = [{}]\n", fmt::join(paths, ", "));
+  for (const Direction direction : groundmotions::kDirections)
+    if (record[direction]) use += "xyz"[static_cast<std::size_t>(direction)];
+  if (!unit.empty()) text += fmt::format("unit = \"{}\"\n", unit);
+  if (use.size() < 3) text += fmt::format("use = \"{}\"  # components that it has\n", use);
+  return text;
 }
 
 std::string next_command(const NewOptions& options, const fs::path& file) {
@@ -224,6 +250,9 @@ std::string write_file(const NewOptions& options, const fs::path& file) {
   look_up("--room", DataKind::kRoom, wishes.room);
   require(options.records.empty() || options.kind == "study",
           "--from is for a study: gurney new study NAME --from FOLDER");
+  require(options.record.empty() || options.kind == "job",
+          "--record is for a job: gurney new job NAME --record FILE...");
+  if (!options.record.empty()) wishes.record = record_lines(options.record, options.unit, file);
   std::string records;
   if (!options.records.empty()) records = use_records(options.records, options.unit, file, wishes);
   require(!is_there(file), file.string() + ": exists already");
@@ -236,6 +265,7 @@ std::string write_file(const NewOptions& options, const fs::path& file) {
 
 int new_command(const NewOptions& options) {
   fs::path file = options.name;
+  require(file.has_filename(), "NAME \"" + options.name + "\": must be the name of a file");
   std::string records;
   if (options.kind == "calibration") {
     write_trials(file);
@@ -253,7 +283,7 @@ int new_command(const NewOptions& options) {
 void add_new(Commands& commands) {
   commands.add<NewOptions>(
       {"new", "Write a commented file to begin with, which runs as it is",
-       "gurney new job first\n"
+       "gurney new job first --record H1.AT2 H2.AT2 UP.AT2\n"
        "gurney new item my_cart\n"
        "gurney new study fragility --from PEER_download --item my_cart.toml"},
       new_command, [](Options& add, NewOptions& options) {
@@ -265,6 +295,7 @@ void add_new(Commands& commands) {
         add("--room", options.wishes.room, "Of a job: a room of the catalogue, or its file");
         add("--caster", options.wishes.caster,
             "Of an item: a caster of the catalogue, or its file");
+        add("--record FILE", options.record, "Of a job: the files of one record");
         add("--from FOLDER", options.records,
             "Of a study: a folder of records, such as a PEER download");
         add("--unit UNIT", options.unit, "Unit of records that do not state theirs");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -133,11 +134,43 @@ StoredDemands demands_of(const study::Hdf5Reader& file) {
   return demands;
 }
 
+/// The log beside a results file, after a line end; empty: there is none.
+std::string log_beside(const std::string& results) {
+  const fs::path log = fs::path(results).replace_extension(".log");
+  return is_there(log) ? '\n' + read_input_file(log.string()) : std::string();
+}
+
+/// The file that a line of a log names, from the folder where it was written unless it is found from
+/// here; empty: there is no such line.
+std::string file_of_log(const std::string& log, const std::string& word) {
+  const std::string file = value_of(log, word);
+  const fs::path from_its_folder = fs::path(value_of(log, "folder")) / file;
+  return is_there(file) || !is_there(from_its_folder) ? file : from_its_folder.string();
+}
+
+/// The run that made a results file: of its job or, for one of `gurney replay`, of its study.
+study::PreparedRun source_of(const std::string& path, const std::string& job) {
+  const std::string log = log_beside(path), made = file_of_log(log, "study"),
+                    word = value_of(log, "run");
+  std::size_t run = 0;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), run);
+  if (made.empty() || read.ec != std::errc() || read.ptr != word.data() + word.size()) {
+    require(!study::has_study(job),
+            path +
+                ": is one run of a study, and its log does not name which: gurney explain "
+                "STUDY.h5 --run N, or repeat it with gurney replay");
+    return study::prepare_run(job);
+  }
+  require(is_there(made), fmt::format("{}: is run {} of the study {}, which {}", path, run, made,
+                                      why_not_there(made)));
+  return StudyCase(made, run, job).prepared();
+}
+
 RepeatedRun single_run(const std::string& path, const std::string& named) {
   const study::Hdf5Reader file(path);
   require(type_of(file) == "gurney-results", path + ": is not a results file");
   const std::string job = existing_job(path, named);
-  RepeatedRun result{study::prepare_run(job), {}};
+  RepeatedRun result{source_of(path, job), {}};
   const std::string& text = result.run.facts.job_text;
   if (result.run.facts.job_sha256 != file.text_attribute("job_sha256"))
     throw Error(fmt::format("{}: is not the job of {}: {}", job, path,
@@ -156,12 +189,7 @@ RepeatedRun single_run(const std::string& path, const std::string& named) {
 }  // namespace
 
 std::string job_of_log(const std::string& results) {
-  const fs::path log = fs::path(results).replace_extension(".log");
-  if (!is_there(log)) return {};
-  const std::string text = '\n' + read_input_file(log.string());
-  const std::string job = value_of(text, "job");
-  const fs::path from_its_folder = fs::path(value_of(text, "folder")) / job;
-  return is_there(job) || !is_there(from_its_folder) ? job : from_its_folder.string();
+  return file_of_log(log_beside(results), "job");
 }
 
 std::string results_of_folder(const std::string& folder) {

@@ -54,15 +54,17 @@ fs::path results_of(const ReplayOptions& options) {
 int replay_command(const ReplayOptions& options) {
   options.figures.check();
   const StudyCase study_case(options.file, options.run, options.job);
-  const RunOutput output{results_of(options),
-                         study_case.job(),
-                         options.overwrite,
-                         options.json,
-                         options.no_figure,
-                         options.figures,
-                         false,
-                         options.units,
-                         true};
+  const RunOutput output{
+      results_of(options),
+      study_case.job(),
+      options.overwrite,
+      options.json,
+      options.no_figure,
+      options.figures,
+      false,
+      options.units,
+      true,
+      fmt::format("study           {}\nrun             {}\n", options.file, options.run)};
   check_output(output);
   const Response response = run_and_write(study_case.prepared(), output);
   const std::string differs = study_case.difference(response);

@@ -44,17 +44,17 @@ RunOutput output_of(const RunOptions& options) {
 namespace fs = std::filesystem;
 
 /// Facts that differ between two equal runs stand here and not in the results file.
-std::string log_text(const std::string& job, const Response& response, double seconds) {
+std::string log_text(const RunOutput& output, const Response& response, double seconds) {
   char host[256] = "unknown";
   gethostname(host, sizeof host - 1);
   const build_info::BuildInfo build = build_info::build_info();
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format(
       "finished        {:%Y-%m-%dT%H:%M:%SZ}\nhost            {}\njob             {}\n"
-      "folder          {}\nprogram         gurney {}, commit {}\nCPU class       {}\n"
+      "{}folder          {}\nprogram         gurney {}, commit {}\nCPU class       {}\n"
       "wall time       {:.3f} s\nsimulated time  {:.3f} s\n",
-      fmt::gmtime(now), host, job, fs::current_path().string(), build.program_version,
-      build.git_commit, build.cpu_class, seconds, response.end_time);
+      fmt::gmtime(now), host, output.job, output.origin, fs::current_path().string(),
+      build.program_version, build.git_commit, build.cpu_class, seconds, response.end_time);
 }
 
 void print(const RunOutput& output, const study::PreparedRun& run, const Response& response,
@@ -160,7 +160,7 @@ Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
     if (!output.no_figure)
       files.stage(output.figure().string(),
                   output.style.bytes(figures::run_figure(run.facts, response, output.units)));
-    files.stage(output.log().string(), log_text(output.job, response, seconds));
+    files.stage(output.log().string(), log_text(output, response, seconds));
     files.commit();
   }
   if (!output.quiet) print(output, run, response, seconds);

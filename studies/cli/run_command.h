@@ -48,7 +48,8 @@ struct RunOutput {
   NamedFigures style = {};
   bool quiet = false;
   study::UnitSystem units = {};
-  bool verbose = false;  ///< print what is zero too
+  bool verbose = false;     ///< print what is zero too
+  std::string origin = {};  ///< lines of the log about the study of a repeated run
 
   std::filesystem::path figure() const;
   std::filesystem::path log() const;

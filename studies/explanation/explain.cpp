@@ -47,6 +47,9 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
   if (const auto lifts = lifts_of(model, item.history); !lifts.empty()) {
     result.first_lifted = caster_words(model, lifts.front().casters.front());
     result.time_of_lift = lifts.front().from;
+    const double fall = d.time_of_overturning < 0 ? response.end_time : d.time_of_overturning;
+    result.uplifts = static_cast<std::size_t>(
+        std::ranges::count_if(lifts, [&](const Lift& lift) { return lift.from <= fall; }));
   }
   if (const Skid skid = first_skid(model, item.history); skid.time >= 0) {
     result.first_skidded = caster_words(model, skid.caster);
@@ -194,13 +197,14 @@ Stage stage_at(const std::string& name, double time, const std::vector<Sample>& 
   const auto after = std::ranges::upper_bound(history, time + kSame, {}, &Sample::time);
   const Sample& sample = after == history.begin() ? history.front() : *std::prev(after);
   const EnergyAccount& e = sample.energy;
+  const double at_start = history.front().energy.weight_energy;
   return {.name = name,
           .time = time,
           .kinetic = e.kinetic,
           .potential = e.gravitational,
-          .elastic = e.elastic + e.weight_energy,
+          .elastic = e.elastic,
           .floor_work = e.work_of_floor,
-          .other_work = e.work() - e.work_of_floor,
+          .other_work = e.work() - e.work_of_floor - e.weight_energy + at_start,
           .friction = e.sliding_loss + e.relaxation_loss + e.tread_loss,
           .rolling = e.rolling_loss + e.axle_loss + e.swivel_loss,
           .impacts = e.contact_loss,

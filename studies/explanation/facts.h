@@ -96,6 +96,7 @@ struct ItemFacts {
   GripMargin grip;
   std::string first_lifted, first_skidded;  ///< casters; empty: none
   double time_of_lift = -1, time_of_skid = -1;
+  std::size_t uplifts = 0;  ///< times with a caster off the floor, before it overturned
 };
 
 /// Energy of the explained item up to a moment; potential and elastic against the start [J].

@@ -312,10 +312,11 @@ std::string ida_figure(const PlotPage& page, const std::string& title,
   for (const study::DemandRuns& runs : all)
     for (const auto& configuration : runs.configurations)
       panels.push_back({.panel = panel_of(runs, configuration), .aspect = 0.6});
-  return Chart{title,
-               "grey: one analysis case each; 16, 50, 84 %: fractiles of the demand at given "
-               "intensity, horizontal where that many have overturned",
-               panels}
+  return Chart{
+      title,
+      "grey: one analysis case each; 16, 50, 84 %: fractiles at one intensity; horizontal: "
+      "that many overturned",
+      panels}
       .svg(page);
 }
 

@@ -34,7 +34,10 @@ constexpr int kMaxPayloads = 100;
 std::optional<equipment::Uncertain<equipment::ItemDescription>> read_description(Table& item) {
   std::vector<std::string> variants = item.texts("variant", true);  // []: as it is
   if (item.has("equipment") == item.has("inline")) {
-    item.note("equipment", ": must name an item, or [item.inline] must describe it, not both");
+    item.note("equipment", item.has("inline")
+                               ? ": must not be given beside [item.inline]"
+                               : ": missing; must name an item of the catalogue or its file, or "
+                                 "[item.inline] must describe it");
     return {};
   }
   if (auto table = item.table("inline")) {

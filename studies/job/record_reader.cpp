@@ -176,6 +176,9 @@ std::optional<BuildingRequest> read_building_request(Table& excitation) {
 
 std::optional<RecordRequest> read_record_request(Table& excitation) {
   std::optional<BuildingRequest> building = read_building_request(excitation);
+  for (const char* key : {"file", "suite", "synthetic", "scale", "scale_to", "unit", "use"})
+    if (excitation.has(key))
+      excitation.note(key, fmt::format(": unknown key; did you mean 'record.{}'?", key));
   auto found = excitation.table("record");
   if (!found) return {};
   Table& in = *found;

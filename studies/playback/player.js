@@ -79,7 +79,11 @@ class Player {
     const middle = ({ low, high }) => scaled(add(low, high), 0.5);
     const target = middle(room.items);
     const whole = 0.75 * size(room) + 0.65 * size(room.items) + 0.4;
-    return { target: [target[0], target[1], 0.45], distance: Math.min(whole, 1.25 * size(room.items) + 1.2) };
+    const round = 1.1 * norm(subtract(room.items.high, room.items.low)) / 2 / Math.sin(0.39);  // all of them, below the buttons
+    return {
+      target: [target[0], target[1], Math.max(0.45, target[2])],
+      distance: Math.max(round, Math.min(whole, 1.25 * size(room.items) + 1.2)),
+    };
   }
 
   connect() {

@@ -25,9 +25,10 @@ std::vector<groundmotions::Direction> used_components(const groundmotions::Recor
   static constexpr std::array kAxes = {"x", "y", "z"};
   const std::array wanted = {request.use_x, request.use_y, request.use_z};
   std::vector<groundmotions::Direction> use;
-  std::string missing;
+  std::string missing, there;
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
     const auto axis = static_cast<std::size_t>(direction);
+    if (record[direction]) there += kAxes[axis];
     if (!wanted[axis]) continue;
     if (record[direction])
       use.push_back(direction);
@@ -36,10 +37,12 @@ std::vector<groundmotions::Direction> used_components(const groundmotions::Recor
           fmt::format("{}{} ({})", missing.empty() ? "" : ", ", kAxes[axis], name_of(direction));
   }
   require(request.use_stated || missing.empty(),
-          fmt::format("{}: record '{}' has no {} component; state with use = \"...\" which "
-                      "components shall act",
-                      request.where, record.name, missing));
-  require(!use.empty(), request.where + ": none of the record's components acts");
+          fmt::format("{}: record '{}' has no {} component; state with use = \"{}\" that "
+                      "the others act",
+                      request.where, record.name, missing, there));
+  require(!use.empty(),
+          fmt::format("{}: use: none of these components is in record '{}', which has {}",
+                      request.where, record.name, there));
   return use;
 }
 
@@ -155,6 +158,17 @@ void add_building_file(const RecordRequest& request, RecordFacts& facts) {
   facts.files.push_back({path.filename().string(), sha256(read_input_file(path.string()))});
 }
 
+/// @throws Error for a motion beyond what a record file may hold
+void check_amplitude(const FloorMotion& floor, const std::string& where) {
+  constexpr double kLargest = 100 * kStandardGravity;  // of a record file too
+  const double peak = floor.acceleration().cwiseAbs().maxCoeff();
+  require(peak <= kLargest,
+          fmt::format(
+              "{}: the motion of the floor has a peak of {:.3g} g after scaling; at most {:g} g "
+              "are allowed: check scale or scale_to",
+              where, peak / kStandardGravity, kLargest / kStandardGravity));
+}
+
 groundmotions::Record scaled_as_asked(groundmotions::Record record, const RecordRequest& request) {
   if (request.scale_to)
     return at(request.where, [&] { return scaled_to(record, *request.scale_to); });
@@ -205,6 +219,7 @@ Motion motion_of(const RecordRequest& request) {
 Motion motion_of(const groundmotions::Record& raw, const RecordRequest& request) {
   const groundmotions::Record record = floor_record_of(scaled_as_asked(raw, request), request);
   Motion motion = as_motion(record, request, request.angle);
+  check_amplitude(motion.floor, request.where);
   const std::vector<std::string> findings = implausible(raw);
   std::vector<std::string> faults = findings;
   const groundmotions::Residual left = groundmotions::residual(motion.floor);

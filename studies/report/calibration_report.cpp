@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "studies/build_info/build_info.h"
 #include "studies/calibration/trials/setup_reader.h"
@@ -252,6 +253,13 @@ Texts cautions_of(const Section& all) {
   if (const std::string simulated = text_of(all, "simulated"); simulated != "0")
     texts.push_back(fmt::format("SIMULATED: {} of {} trials are not measured, but computed.",
                                 simulated, text_of(all, "trials")));
+  const Table& left_out = *find<Table>(all, "left_out");
+  Texts names;
+  for (std::size_t i = 0; i < left_out.rows.size(); ++i)
+    names.push_back(std::filesystem::path(text_in(left_out, i, "file")).filename().string());
+  if (!names.empty())
+    texts.push_back(fmt::format("EXCLUDED, with the reason below: {} of {} trials ({}).",
+                                names.size(), text_of(all, "trials"), fmt::join(names, ", ")));
   const Table& constants = *find<Table>(all, "constants");
   for (std::size_t i = 0; i < constants.rows.size(); ++i) {
     const std::string& about = text_in(constants, i, "constant");

@@ -279,7 +279,8 @@ findings::Section comparison_findings(const ComparisonReport& report) {
   all.add(
       side("b", "compared", report.name_b, report.b, found.pairs.paired_b, found.pairs.left_out_b));
   all.text("difference", report.label_b + " - " + report.label_a);
-  all.add(pairing(found)).add(inputs(report)).json("confidence", report.confidence);
+  all.add(pairing(found)).list("", "in short", conclusions(report));
+  all.add(inputs(report)).json("confidence", report.confidence);
   all.add(quantities(report, Kind::kShare, "shares", "share of runs that exceed"));
   all.add(curves(report));
   all.add(quantities(report, Kind::kMean, "means", "mean"));
@@ -299,7 +300,7 @@ findings::Section comparison_findings(const ComparisonReport& report) {
       "means, {} of medians; * below {:g}",
       found.tests.shares, found.tests.curves, found.tests.means, found.tests.medians,
       kSignificant));
-  return all.list("", "in short", conclusions(report));
+  return all;
 }
 
 }  // namespace gurney::report

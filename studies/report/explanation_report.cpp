@@ -130,14 +130,23 @@ std::string grip_text(const ItemFacts& item, const UnitSystem& units) {
       force(grip.grip));
 }
 
+/// Remark on the uplifts that the events leave out; empty: none.
+std::string uplifts_text(const ItemFacts& item) {
+  const bool overturned = item.finding == Finding::kOverturned;
+  if (item.uplifts <= (overturned ? 3 : 2)) return {};
+  return fmt::format(" There were {} uplifts; the events have the first{} longest{}.", item.uplifts,
+                     overturned ? ", the" : " and the",
+                     overturned ? " and the last before it overturned" : "");
+}
+
 Section margins(const Explanation& of) {
   const ItemFacts& item = of.item();
   Section all("", "Margins");
   if (!item.is_part) all.say(tilt_text(item, of.units));
   if (!of.record.empty() && item.on_floor) all.say(grip_text(item, of.units));
   if (!item.first_lifted.empty())
-    all.say(fmt::format("First caster off the floor: {}, at {:.3f} s.", item.first_lifted,
-                        item.time_of_lift));
+    all.say(fmt::format("First caster off the floor: {}, at {:.3f} s.{}", item.first_lifted,
+                        item.time_of_lift, uplifts_text(item)));
   if (!item.first_skidded.empty())
     all.say(fmt::format("First braked caster to skid: {}, at {:.3f} s.", item.first_skidded,
                         item.time_of_skid));
@@ -228,9 +237,11 @@ Table energy_table(const Explanation& of) {
 }
 
 constexpr const char* kEnergyKey =
-    "floor: work of the floor's motion on the item; loads: work of pushes, cords and neighbours; "
+    "floor: work of the floor's motion on the item; loads: work of pushes, falling weights, cords "
+    "and neighbours; "
     "height: weight times the rise of the centre of mass; friction: sliding and damping of the "
-    "treads; rolling: rolling resistance, bearings and brakes; other: springs and dampers. Floor "
+    "treads; rolling: rolling resistance, bearings and brakes; other: springs, dampers, weights "
+    "that land. Floor "
     "and loads together are the sum of the other columns.";
 
 Section other_items(const Explanation& of) {

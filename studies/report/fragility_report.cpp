@@ -260,6 +260,12 @@ std::vector<findings::Cell> row_of(const study::VectorResult& result, const Unit
           beta_of(result.alone[1])};
 }
 
+/// `separation: median above 1 g` of `separation: only ..., so ...: median above 1 g`, for a column.
+std::string short_reason(const std::string& reason) {
+  const auto first = reason.find(": "), last = reason.rfind(": ");
+  return first == last ? reason : reason.substr(0, first) + reason.substr(last);
+}
+
 /// Meaning of a row, where there is a fit.
 std::string meaning(const study::VectorResult& result) {
   const statistics::VectorFit& fit = result.fit;
@@ -320,6 +326,9 @@ std::vector<std::string> fragility_notes(const study::FragilityResult& result,
   std::vector<std::string> notes;
   const auto note = [&](const std::string& line) { notes.push_back(line); };
   if (result.failed > 0) note(fmt::format("{} failed runs are excluded", result.failed));
+  if (const std::string reason = result.curve() ? "" : study::no_curve_text(result, unit);
+      reason != short_reason(reason))
+    note(reason);
   if (result.p_of_fit && *result.p_of_fit < 0.05) note(fit_note(result));
   if (result.by_capacities() && result.capacities->resurrections > 0)
     note(fmt::format("{} runs above the capacity of their record do not exceed (resurrections)",
@@ -391,12 +400,12 @@ findings::Table fragility_table(const std::vector<study::FragilityResult>& resul
                           {"", "in 50 years", {".2g", "%", 0.01}}});
   for (const study::FragilityResult& each : results) {
     const auto curve = each.curve();
-    table.add(
-        {each.configuration.empty() ? "all runs" : each.configuration, each.state,
-         exceed_text(each), curve ? findings::Value(curve->theta) : findings::Value(),
-         curve ? findings::Value(curve->beta) : findings::Value(),
-         curve ? intervals(each, unit.in_si, 3, each.band.theta) : study::no_curve_text(each, unit),
-         intervals(each, 1, 2, each.band.beta)});
+    table.add({each.configuration.empty() ? "all runs" : each.configuration, each.state,
+               exceed_text(each), curve ? findings::Value(curve->theta) : findings::Value(),
+               curve ? findings::Value(curve->beta) : findings::Value(),
+               curve ? intervals(each, unit.in_si, 3, each.band.theta)
+                     : short_reason(study::no_curve_text(each, unit)),
+               intervals(each, 1, 2, each.band.beta)});
     if (rates && each.rate)
       table.rows.back().insert(
           table.rows.back().end(),

@@ -61,8 +61,8 @@ findings::Texts sufficiency_lines(const study::MeasureChoice& choice) {
     return is_fitted(row) && !std::isnan(row.sufficiency.front());
   });
   findings::Texts lines{
-      known ? "p of scale: of no dependence on the factor on the records once the measure is "
-              "known; small: scaling biases"
+      known ? "p of scale: of the test that the scale factor changes nothing once the measure is "
+              "known; where it is small, scaling biases the demand"
             : "p of scale: unknown, the factor on the records follows from the measure or does "
               "not vary"};
   for (const char* name : {"magnitude", "distance"})
@@ -87,8 +87,9 @@ std::string verdict(const study::MeasureChoice& choice) {
     words += fmt::format(", as good as {}, to which it is proportional", fmt::join(ties, ", "));
   if (std::isnan(choice.lead)) return words + "; there is no other to compare with.\n";
   const statistics::IntensityRow& next = choice.rows[choice.ties + 1];
-  words += fmt::format(": scatter {:.3g} against {:.3g} of {}, ln likelihood {:.2f} higher",
-                       best.efficiency, next.efficiency, next.name, choice.lead);
+  words +=
+      fmt::format(": its ln likelihood is {:.2f} above that of {} (scatter {:.3g}, there {:.3g})",
+                  choice.lead, next.name, best.efficiency, next.efficiency);
   if (std::isnan(choice.stays_best))
     return words + ". One record does not show whether this holds for others.\n";
   words += fmt::format(".\nIt stays first in {:.0f} % of the resamples of the records: ",

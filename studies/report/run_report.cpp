@@ -355,6 +355,7 @@ Section run_findings(const study::RunFacts& facts, const Response& response,
   add_items(names, facts.scene, units, all);
   add_record(facts.record, units, all);
   all.json("outcome", name_of(response.outcome)).json("cause", response.cause);
+  for (const std::string& warning : facts.warnings) all.say("warning: " + warning);
   Section story = narrative(facts, response, units);
   all.json("narrative", fmt::format("{}", fmt::join(findings::lines_of(story), "\n")));
   all.add(std::move(story)).json("end_time_s", response.end_time);
@@ -369,7 +370,6 @@ Section run_findings(const study::RunFacts& facts, const Response& response,
                    true, [](const char*) { return ""; }));
   all.list("warnings", "", facts.warnings);
   add_draw(facts, all);
-  for (const std::string& warning : facts.warnings) all.say("warning: " + warning);
   add_assumptions(facts.assumptions, all);
   return all;
 }

@@ -28,17 +28,31 @@ std::string subject_of(const study::StudyOverview& overview, const study::Fragil
   return (of.configuration.empty() ? "" : subject_of(overview, of.configuration) + ", ") + of.state;
 }
 
-/// "brakes on, overturned: median PGV of 0.97 m/s (95 % interval 0.72 to 1.6), dispersion 0.85."
+/// `PGV (larger)` of `PGV larger`.
+std::string measure_words(const std::string& measure) {
+  const auto at = measure.rfind(' ');
+  return at == std::string::npos ? measure
+                                 : measure.substr(0, at) + " (" + measure.substr(at + 1) + ")";
+}
+
+/// "brakes on, overturned: median PGV (larger) of 0.97 m/s (95 % interval 0.72 to 1.6), dispersion 0.85."
 std::string headline(const study::StudyOverview& overview, const study::FragilityResult& of,
                      const study::ReportUnit& unit) {
   const std::string subject = subject_of(overview, of) + ": ";
-  return fmt::format(
-      "{}median {} of {:.3g}{} (95 % interval {}), dispersion {:.2f}.", subject, of.measure.name,
-      of.curve()->theta / unit.in_si, unit.name == "1" ? "" : " " + unit.name,
-      study::interval_text(of.band.theta, unit.in_si, 3, of.records), of.curve()->beta);
+  return fmt::format("{}median {} of {:.3g}{} (95 % interval {}), dispersion {:.2f}.", subject,
+                     measure_words(of.measure.name), of.curve()->theta / unit.in_si,
+                     unit.name == "1" ? "" : " " + unit.name,
+                     study::interval_text(of.band.theta, unit.in_si, 3, of.records),
+                     of.curve()->beta);
 }
 
 }  // namespace
+
+std::string building_caution(const study::StudyOverview& overview) {
+  if (overview.warned == 0) return {};
+  return fmt::format("in {} the building warned, such as: {}",
+                     counted_words(overview.warned, "run"), overview.first_warning);
+}
 
 findings::Texts cautions_of(const study::StudyOverview& overview, const study::StudyData& data,
                             const std::vector<study::FragilityResult>& fragilities) {
@@ -49,9 +63,8 @@ findings::Texts cautions_of(const study::StudyOverview& overview, const study::S
                               counted_words(overview.runs, "run")));
   if (overview.factors_on_records.above() + overview.factors_on_records.below() > 0)
     all.push_back("scale factors " + overview.factors_on_records.text());
-  if (overview.warned > 0)
-    all.push_back(fmt::format("in {} the building warned, such as: {}",
-                              counted_words(overview.warned, "run"), overview.first_warning));
+  if (const std::string building = building_caution(overview); !building.empty())
+    all.push_back(building);
   if (overview.step_check)
     for (const study::StateChange& each : overview.step_check->states)
       all.push_back(fmt::format("with half the time step the outcome at {} differs in {} of {}",

@@ -72,6 +72,13 @@ std::string file_text(const std::string& kind, const Wishes& wishes) {
   if (!wishes.room.empty())
     replace_line(text, "--room", "# [room]\n# file = \"icu_bay\"",
                  "[room]\nfile = " + quoted(wishes.room));
+  if (!wishes.record.empty())
+    replace_line(
+        text, "--record",
+        "# A synthetic motion, never recorded. For a record of your own write instead, for "
+        "example,\n#   file = [\"RSN1_H1.AT2\", \"RSN1_H2.AT2\", \"RSN1_UP.AT2\"]\n"
+        "synthetic = { kind = \"clough_penzien\", seed = 1 }\n",
+        wishes.record);
   if (!wishes.suite.empty()) {
     replace_line(text, "--from",
                  "# Synthetic motions, never recorded. For records of your own: gurney new study "

@@ -14,6 +14,7 @@ struct Wishes {
   std::string item = {};       ///< of a job or study: name of the catalogue or path
   std::string caster = {};     ///< of an item
   std::string room = {};       ///< of a job or study
+  std::string record = {};     ///< of a job: lines of [excitation.record], of files
   std::string suite = {};      ///< of a study: lines of [excitation.record], of records
   std::string component = {};  ///< of the intensity measure of a study
 };

@@ -90,6 +90,11 @@ void require_columns(const Trial& trial, const CsvText& text, CsvErrors& errors)
 }
 
 void read_samples(const CsvText& text, Trial& trial, CsvErrors& errors) {
+  if (text.header.size() == 1 && text.header[0].text.find(';') != std::string::npos) {
+    errors.note(text.header[0],
+                "cells are apart by semicolons; must be apart by commas, with decimal points");
+    return;
+  }
   const std::vector<const Column*> found = find_columns(text, errors);
   for (const std::vector<TextCell>& row : text.rows) {
     trial.lines.push_back(row[0].line);

@@ -216,6 +216,12 @@ TEST(NearestName, SuggestsANeighbourOrListsAll) {
   EXPECT_EQ(suggestion("timestep", {"time_step_s", "residual"}), "; did you mean 'time_step_s'?");
   EXPECT_EQ(suggestion("mass", {"mass_kg", "size_mm"}), "; did you mean 'mass_kg'?");
   EXPECT_EQ(suggestion("x", {}), "");
+  EXPECT_EQ(suggestion("ventilator", {"icu_bed", "icu_ventilator"}),
+            "; did you mean 'icu_ventilator'?");
+  EXPECT_EQ(suggestion("frame_bed", {"icu_bed", "ward_bed"}), "; known: icu_bed, ward_bed");
+  EXPECT_EQ(suggestion("cart", {"crash_cart", "linen_cart"}), "; known: crash_cart, linen_cart");
+  EXPECT_EQ(suggestion("PGV", {"pfv", "PGA larger", "PGV geomean"}),
+            "; did you mean 'PGV geomean'?");
   // To compare a key of megabytes would take gigabytes.
   EXPECT_EQ(suggestion(std::string(300, 'x'), {std::string(301, 'x'), "b"}).substr(0, 9),
             "; known: ");

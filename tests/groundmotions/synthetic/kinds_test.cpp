@@ -135,7 +135,8 @@ TEST(SyntheticKinds, ReportedWrongInAJobAreErrorsAtTheirPlace) {
   config::Document document("kind = \"ac165\"\nsds_g = 1.2\n", "job.toml");
   auto table = document.root();
   EXPECT_FALSE(read_synthetic_request(table));
-  EXPECT_ERROR(document.finish(), "job.toml:1:8: kind = \"ac165\": must be one of half_sine, ");
+  EXPECT_ERROR(document.finish(),
+               "job.toml:1:8: kind = \"ac165\": must be a known name; did you mean 'ac156'?");
   config::Document unknown("kind = \"ac156\"\nsds = 1.2\n", "job.toml");
   auto second = unknown.root();
   EXPECT_TRUE(read_synthetic_request(second));

@@ -81,11 +81,12 @@ TEST(BadJob, AnItemWithoutCastersHasNoneToTurnOrBrake) {
 }
 
 TEST(BadJob, WhatBelongsToSomethingInErrorIsNotCalledUnknown) {
-  EXPECT_EQ(errors_of_text("schema = \"gurney-job/1\"\n[item]\n"
-                           "headings_deg = { value = 0, range = [0, 90] }\nheading = 2\n"),
-            "a.toml:2:1: item.equipment: must name an item, or [item.inline] must describe it, not "
-            "both\n"
-            "a.toml:4:1: item.heading: unknown key; did you mean 'headings_deg'?");
+  EXPECT_EQ(
+      errors_of_text("schema = \"gurney-job/1\"\n[item]\n"
+                     "headings_deg = { value = 0, range = [0, 90] }\nheading = 2\n"),
+      "a.toml:2:1: item.equipment: missing; must name an item of the catalogue or its file, or "
+      "[item.inline] must describe it\n"
+      "a.toml:4:1: item.heading: unknown key; did you mean 'headings_deg'?");
   EXPECT_EQ(errors_of_text("schema = \"gurney-job/1\"\n[item]\nequipment = \"bookcase\"\n"
                            "headings_deg = { value = 0, range = [0, 90] }\n"),
             "a.toml:4:16: item.headings_deg: Bookcase has no casters");
@@ -103,9 +104,10 @@ TEST(BadJob, HistoriesAreSampledAtWholeTimeSteps) {
 }
 
 TEST(BadJob, NeedsOneItem) {
-  EXPECT_EQ(errors_of_text("schema = \"gurney-job/1\"\n[item]\n"),
-            "a.toml:2:1: item.equipment: must name an item, or [item.inline] must describe it, not "
-            "both");
+  EXPECT_EQ(
+      errors_of_text("schema = \"gurney-job/1\"\n[item]\n"),
+      "a.toml:2:1: item.equipment: missing; must name an item of the catalogue or its file, or "
+      "[item.inline] must describe it");
 }
 
 TEST(BadJob, PassesOnTheErrorsOfTheItemsFile) {

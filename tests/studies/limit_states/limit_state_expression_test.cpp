@@ -64,8 +64,9 @@ TEST(LimitStateExpression, TakesAName) {
 }
 
 TEST(LimitStateExpression, NamesWhatIsWrong) {
-  EXPECT_ERROR(read("peak_disp > 0.2 m"),
-               "--limit-state \"peak_disp > 0.2 m\": demand = \"peak_disp\": must be one of ");
+  EXPECT_ERROR(
+      read("peak_disp > 0.2 m"),
+      "--limit-state \"peak_disp > 0.2 m\": demand = \"peak_disp\": must be a known name; ");
   EXPECT_ERROR(read("peak_disp > 0.2 m"), "did you mean 'peak_displacement'?");
   EXPECT_ERROR(read("peak_displacement > 0.2 g"), ": unit = \"g\": must be one of m, cm, mm");
   EXPECT_ERROR(read("peak_displacement > 0.2"), ": unit: missing; must be one of m, cm, mm");

@@ -12,6 +12,8 @@ mkdir trials
 cp "$2"/studies/calibration/example/{pull,locked,impact}_*.csv trials
 calibrate 2 "TRIALS is required"
 calibrate 0 "Cr/R of R100 on polyflor_mystique" trials
+grep -q "EXCLUDED, with the reason below: 1 of 12 trials (pull_6.csv)" stdout ||
+  complain "does not say at the top that a trial is left out"
 grep -q "SIMULATED: 12 of 12 trials" stdout || complain "does not say that trials are simulated"
 grep -q "^ *trials/pull_6.csv: .* units: is the displacement a thousandth" stdout ||
   complain "does not name the trial with swapped units"

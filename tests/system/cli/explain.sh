@@ -63,8 +63,22 @@ expect 0 "icu_ventilator moved up to" env -C / "$gurney" explain "$PWD/run.h5"
 explain 1 "choose one of its runs with --run N" study.h5
 explain 1 "has no run 9; it has runs 0 to 1" study.h5 --run 9
 explain 1 "has no --run but 0" run.h5 --run 1
+explain 2 "must be a whole number, 0 or more" study.h5 --run -1
 explain 0 "icu_ventilator moved up to" study.h5 --run 1
 diff of_run stdout || complain "the run of the study is explained in other words"
+# So is the file of a repeated run, here and from another folder; without its study it says so.
+expect 0 "the same results" "$gurney" replay study.h5 1 -o again.h5 --no-figure
+explain 0 "icu_ventilator moved up to" again.h5
+diff of_run stdout || complain "the repeated run is explained in other words"
+expect 0 "icu_ventilator moved up to" env -C / "$gurney" explain "$PWD/again.h5"
+expect 0 "again.html" "$gurney" report again.h5 -o again.html
+grep -qF "starts to slide or roll" again.html || complain "the report of a repeated run does not explain it"
+mv study.h5 kept.h5
+explain 1 "again.h5: is run 1 of the study study.h5, which does not exist any more" again.h5
+mv kept.h5 study.h5
+sed -i '/^study /d' again.log
+explain 1 "again.h5: is one run of a study, and its log does not name which" again.h5
+
 sed 's/0.3/0.31/' run.toml > other.toml
 explain 1 "is not the job of run.h5" run.h5 --job other.toml
 explain 1 "none.toml does not exist any more" run.h5 --job none.toml
@@ -95,6 +109,17 @@ grep -qF "Not explained: run.h5: the job&#39;s file is not known" bare.html ||
 explain 1 "is not known; name it with --job" run.h5
 explain 0 "icu_ventilator moved up to" run.h5 --job run.toml
 mv kept.log run.log
+
+# A weight that pulls is a load; springs and dampers have next to nothing of it.
+expect 0 "pull.h5" "$gurney" run "$2/studies/jobs/pulling_test.toml" -o pull.h5 --no-figure
+explain 0 "Energy of xu_trolley" pull.h5
+awk '$1 == "end" { found = $4 > 40 && $10 > -5 && $10 < 5 } END { exit !found }' stdout ||
+  complain "the work of the weight that pulls is not among the loads"
+
+# Uplifts that the events leave out are counted.
+sed '/^\[item\]/a brakes = true' run.toml | sed 's/pga_g = [0-9.]*/pga_g = 0.6/; s/"x"/"xyz"/; s/kind = "ricker".*}/kind = "clough_penzien" }/' > rocks.toml
+expect 0 "rocks.h5" "$gurney" run rocks.toml -o rocks.h5 --no-figure
+explain 0 "uplifts; the events have the" rocks.h5
 
 # Variants.
 explain 1 "--what-if, which is missing" run.h5 --replicas 3

@@ -27,6 +27,19 @@ expect 0 "off            displaced" "$gurney" fragility study.h5
 expect 1 "my_cart: unknown item of equipment; for the file write my_cart.toml" \
   bash -c 'cp cart.toml my_cart.toml && "$1" equipment show my_cart' bash "$gurney"
 
+# A job with a record of one's own, in another folder; with one component, and with a file that is none.
+expect 0 "written" "$gurney" new job jobs/own --record "$2/groundmotions/records/synthetic_3c.csv"
+expect 0 "record  synthetic_3c" "$gurney" check jobs/own.toml
+grep -q "synthetic = " jobs/own.toml && complain "the synthetic motion stays beside the record"
+expect 0 "a one.csv" "$gurney" records make near_fault_pulse period_s=1 -o "a one.csv"
+expect 0 "written" "$gurney" new job one --record "a one.csv"
+grep -q '^use = "x"  # components that it has' one.toml || complain "the components are not stated"
+expect 0 "a valid single run" "$gurney" check one.toml
+expect 1 "not a record in a known format" "$gurney" new job none --record one.toml
+expect 1 "--record is for a job" "$gurney" new study none --record "a one.csv"
+expect 1 "gurney new job NAME --record 'a one.csv'" "$gurney" run "a one.csv"
+[ -e none.toml ] && complain "a file is left by a command that failed"
+
 # From a folder of records: two that can be read, one that cannot, no vertical component in one.
 mkdir records
 expect 0 "pulse.csv" "$gurney" records make near_fault_pulse period_s=1 -o records/pulse.csv
@@ -66,6 +79,7 @@ expect 1 "no such file" "$gurney" new job another --item none.toml
 expect 1 "--item icu_ventilatr: unknown item of equipment; did you mean 'icu_ventilator'?" "$gurney" new job another --item icu_ventilatr
 expect 1 "no such file" "$gurney" new job another --room "$(printf 'r%.0s' {1..300}).toml"
 expect 1 "--from is for a study" "$gurney" new job another --from records
+expect 1 'NAME "": must be the name of a file' "$gurney" new job ""
 expect 2 "SHELF" "$gurney" new SHELF another
 
 [ "$failures" -eq 0 ] && echo "every new file runs"
