@@ -116,7 +116,7 @@ class HospitalTest : public testing::Test {
     return error_text([&] { answer(hospital(from, to)); });
   }
 
-  static constexpr std::size_t kSamples = 40000;
+  static constexpr std::size_t kSamples = 10000;
   /// Bernstein's inequality: a share of n samples is farther off with a probability of at most 2
   /// exp(-15), one in two million, also where it is rare.
   static double bound(double p, double n = kSamples) {
