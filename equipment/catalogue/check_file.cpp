@@ -31,7 +31,10 @@ constexpr std::array kKinds = {
              "gurney records floor RECORD --floor roof --building"},
     FileKind{"gurney-limit-states/1", "a list of limit states",
              "gurney fragility RESULTS --limit-states"},
-    FileKind{"gurney-hazard/1", "a hazard curve", "gurney fragility RESULTS --hazard"}};
+    FileKind{"gurney-hazard/1", "a hazard curve", "gurney fragility RESULTS --hazard"},
+    FileKind{"gurney-consequences/1", "a list of consequences",
+             "gurney loss RESULTS --consequences"},
+    FileKind{"gurney-hospital/1", "a hospital", "gurney hospital"}};
 
 std::string named(const std::string& schema) {
   for (const FileKind& kind : kKinds)

@@ -5,9 +5,15 @@ install(TARGETS gurney RUNTIME DESTINATION bin COMPONENT program)
 
 # The folders of the source tree keep their places, so that jobs find what they name.
 foreach(folder equipment groundmotions/records groundmotions/buildings studies/jobs studies/assessment
-    studies/calibration/example)
+    studies/hospitals studies/calibration/example)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION share/gurney/${folder}
     COMPONENT program FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN catalogue EXCLUDE)
+endforeach()
+
+# Curves that gurney hospital takes.
+foreach(table fragility more_states)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/catalogue/data/${table}.csv
+    DESTINATION share/gurney/docs/catalogue/data COMPONENT program)
 endforeach()
 
 # The page of the workbench, where ./dev workbench has made it.

@@ -134,6 +134,8 @@ AddCommand add_equipment;    ///< ls, show, check
 AddCommand add_explain;      ///< why a run ended as it did
 AddCommand add_export;       ///< results for other programs
 AddCommand add_fragility;    ///< curves and bands of a study
+AddCommand add_hospital;     ///< services of a hospital, and what to secure first
+AddCommand add_loss;         ///< cost, time and injuries that follow from the runs of a study
 AddCommand add_measures;     ///< efficiency and sufficiency of intensity measures
 AddCommand add_merge;        ///< the shards of a study into its results
 AddCommand add_play;         ///< a page that plays a run back

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ExportOptions {
-  std::string file, format, folder, method;
+  std::string file, format, folder, method, consequences;
   std::vector<std::string> variants;
   std::optional<std::uint64_t> noise;
   study::ExportChoice choice;
@@ -58,6 +58,8 @@ void check_choice(const ExportOptions& options) {
   require(!options.noise || options.format == "trials", "--noise is for --to trials");
   require(!options.choice.separate || fits, "--separate is for --to pelicun and --to nrml");
   require(options.method.empty() || fits, "--method is for --to pelicun and --to nrml");
+  require(options.consequences.empty() || options.format == "pelicun",
+          "--consequences is for --to pelicun");
   require(!options.choice.discrete || options.format == "nrml", "--discrete is for --to nrml");
   require(
       !options.units.chosen() || options.format == "csv",
@@ -119,6 +121,9 @@ std::vector<std::string> write(const ExportOptions& options, const study::TakeFi
   const study::StudyData data(options.file, options.assessed_by);
   study::ExportChoice choice = options.choice;
   choice.method = curve_method(options.method);
+  std::optional<study::Consequences> consequences;
+  if (!options.consequences.empty())
+    choice.consequences = &consequences.emplace(study::Consequences::read(options.consequences));
   if (options.format == "pelicun") return study::export_pelicun(data, choice, take);
   if (options.format == "nrml") return study::export_nrml(data, choice, take);
   study::export_responses(data, choice, take);
@@ -185,6 +190,8 @@ void add_export(Commands& commands) {
             "pelicun, nrml: a component for each limit state; by default those of one "
             "quantity are the ordered damage states of one component");
         add_method_option(add, options.method);
+        add("--consequences FILE", options.consequences,
+            "pelicun: write consequence_repair.csv too, with costs and times of this file");
         add("--discrete", options.choice.discrete,
             "nrml: probabilities at 100 intensities, not parameters");
         add("--variant", options.variants, "mjcf, urdf: a variant of the item; several in order");

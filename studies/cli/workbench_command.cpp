@@ -24,7 +24,7 @@ namespace gurney::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 struct WorkbenchOptions {
   std::string file, output;
@@ -62,8 +62,8 @@ constexpr const char* kShippedMotion =
 std::string job_with(const std::string& item, double x, double y, const std::string& room) {
   return fmt::format(
       "schema = \"gurney-job/1\"\n\n[[item]]\nequipment = {}\nposition_m = [{:g}, {:g}]\n{}",
-      Json(item).dump(), x, y,
-      room.empty() ? "" : fmt::format("\n[room]\nfile = {}\n", Json(room).dump()));
+      SortedJson(item).dump(), x, y,
+      room.empty() ? "" : fmt::format("\n[room]\nfile = {}\n", SortedJson(room).dump()));
 }
 
 Content with_item(const std::string& equipment, const fs::path& folder) {
@@ -125,7 +125,7 @@ Content content_of(const std::string& file) {
 
 /// The files that a job names and the page lacks, under the names by which it finds them: the page has the
 /// shipped data, and reads the job as if it lay among the shipped ones.
-Json files_of(const Content& content) {
+SortedJson files_of(const Content& content) {
   config::FileSnapshot read;
   std::map<std::string, std::string> files;
   {
@@ -145,7 +145,7 @@ Json files_of(const Content& content) {
   const fs::path shipped = fs::absolute(data.path).lexically_normal();
   const fs::path folder = fs::absolute(content.path).lexically_normal().parent_path();
   const bool among_shipped = folder == shipped / "studies" / "jobs";
-  Json all = Json::array();
+  SortedJson all = SortedJson::array();
   for (const auto& [path, bytes] : files) {
     std::string name = texts.find(path) == std::string::npos
                            ? fs::path(path).lexically_relative(folder).string()
@@ -178,9 +178,9 @@ int workbench(const WorkbenchOptions& options) {
   std::string page = empty_page();
   if (!options.file.empty()) {
     const Content content = content_of(options.file);
-    const Json given{{"text", content.text + content.motion},
-                     {"files", files_of(content)},
-                     {"edit", content.edit}};
+    const SortedJson given{{"text", content.text + content.motion},
+                           {"files", files_of(content)},
+                           {"edit", content.edit}};
     std::string json = given.dump();
     for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
       json.replace(at, 1, "\\u003c");

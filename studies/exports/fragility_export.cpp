@@ -15,6 +15,7 @@
 #include "groundmotions/measures/measure.h"
 #include "studies/exports/export.h"
 #include "studies/limit_states/limit_state_reader.h"
+#include "studies/loss/study_loss.h"
 
 namespace gurney::study {
 namespace {
@@ -321,13 +322,80 @@ Json description(const StudyData& data, const CurveSequence& sequence, const Run
           {"LimitStates", limit_states(sequence)}};
 }
 
+/// The item that the states of a component are of, with its price.
+/// @throws Error where it is any of several
+PricedItem item_of(const StudyData& data, const CurveSequence& sequence,
+                   const Consequences& consequences) {
+  const auto configuration =
+      static_cast<std::size_t>(std::ranges::find(data.configurations(), sequence.configuration) -
+                               data.configurations().begin());
+  std::vector<std::string> unpriced;
+  std::vector<PricedItem> items = priced_items(data, configuration, consequences, unpriced);
+  const LimitState& state = sequence.curves.front().state;
+  const std::string& named = state.quantity.item;
+  if (!named.empty())
+    std::erase_if(items, [&](const PricedItem& item) { return item.name != named; });
+  require(items.size() == 1 && (!named.empty() || unpriced.empty()),
+          fmt::format("{}: limit state '{}' must be of one item with a price in {}, such as "
+                      "--limit-state 'ITEM: {}'",
+                      data.file().path(), state.name, consequences.path(), state.words));
+  return items.front();
+}
+
+const Consequence& consequence_of(const ChosenCurve& curve, const PricedItem& item,
+                                  const Consequences& consequences) {
+  const std::vector<LimitState>& known = consequences.limit_states();
+  LimitState of_any = curve.state;
+  of_any.quantity.item.clear();
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (const Consequence* const of = consequences.of(item.equipment, i);
+        of != nullptr && (known[i].name == curve.state.name ||
+                          (known[i].is_simple() && same_state({of_any}, 0, known, i))))
+      return *of;
+  std::vector<std::string> names;
+  for (const LimitState& state : known) names.push_back(state.name);
+  throw Error(fmt::format("{}: no consequence of '{}' ({}) for {}{}", consequences.path(),
+                          curve.state.name, curve.state.words, item.equipment,
+                          config::suggestion(curve.state.name, names)));
+}
+
+std::string consequence_header() {
+  std::vector<std::string> names{"ID", "Incomplete", "Quantity-Unit", "DV-Unit"};
+  for (std::size_t i = 1; i <= kLimitStates; ++i)
+    for (const char* each : {"Family", "Theta_0", "Theta_1", "LongLeadTime"})
+      names.push_back(fmt::format("DS{}-{}", i, each));
+  return csv_line(names);
+}
+
+/// Rows of consequence_repair.csv in the form of DLML: expected cost and time of each damage state.
+std::string consequence_rows(const StudyData& data, const std::string& id,
+                             const CurveSequence& sequence, const Consequences& consequences) {
+  const PricedItem item = item_of(data, sequence, consequences);
+  std::vector<std::string> cost{csv_cell(id + "-Cost"), "0", "1 EA", consequences.currency()},
+      time{csv_cell(id + "-Time"), "0", "1 EA", "day"};
+  for (const ChosenCurve& curve : sequence.curves) {
+    const Consequence& of = consequence_of(curve, item, consequences);
+    const auto add = [](std::vector<std::string>& cells, double value) {
+      for (const std::string& cell :
+           {std::string(), csv_cell(value), std::string(), std::string("0")})
+        cells.push_back(cell);
+    };
+    add(cost, mean_of(item.price) * mean_of(of.cost_ratio));
+    add(time, mean_of(of.days));
+  }
+  for (std::vector<std::string>* const cells : {&cost, &time}) cells->resize(4 + 4 * kLimitStates);
+  return csv_line(cost) + csv_line(time);
+}
+
 /// A library: the table, what its components are, and the cautions.
 class Library {
  public:
-  Library(const StudyData& data, const RunMeasure& measure, const OutsideMeasure& outside)
+  Library(const StudyData& data, const RunMeasure& measure, const OutsideMeasure& outside,
+          const Consequences* consequences)
       : data_(data),
         measure_(measure),
         outside_(outside),
+        consequences_(consequences),
         job_(plain_identifier(data.file().text_attribute("job_name"), "study")) {}
 
   void add(const CurveSequence& sequence, bool has_supported) {
@@ -345,6 +413,7 @@ class Library {
                         "--separate, or choose one with --limit",
                         data_.file().path(), id, sequence.curves.size(), kLimitStates));
     table_ += row(id, outside_, sequence);
+    if (consequences_ != nullptr) repair_ += consequence_rows(data_, id, sequence, *consequences_);
     for (const ChosenCurve& curve : sequence.curves)
       for (const std::string& caution : cautions(curve.audit, {outside_.unit, outside_.unit_in_si}))
         notes_ += csv_line({csv_cell(id), csv_cell(curve.state.name + ": " + caution)});
@@ -373,14 +442,17 @@ class Library {
     take("fragility.csv", table_);
     take("fragility.json", all.dump(2) + "\n");
     take("fragility_cautions.csv", notes_);
+    if (consequences_ != nullptr) take("consequence_repair.csv", repair_);
   }
 
  private:
   const StudyData& data_;
   const RunMeasure& measure_;
   const OutsideMeasure& outside_;
+  const Consequences* consequences_;
   std::string job_;
-  std::string table_ = header(), notes_ = csv_line({"ID", "Caution"});
+  std::string table_ = header(), notes_ = csv_line({"ID", "Caution"}),
+              repair_ = consequence_header();
   Json descriptions_ = Json::object();
   std::map<std::string, std::string> references_, groups_;
 };
@@ -583,7 +655,7 @@ std::vector<std::string> export_pelicun(const StudyData& data, const ExportChoic
   const OutsideMeasure outside =
       outside_measure(data, measure.name, "DLML, whose names pelicun knows,", dlml_measure);
   const ChosenCurves chosen = chosen_curves(data, choice);
-  Library library(data, chosen.measure, outside);
+  Library library(data, chosen.measure, outside, choice.consequences);
   for (const CurveSequence& each : sequences(chosen, !choice.separate)) {
     const CurveSequence supported = supported_part(each);
     const bool has_part = is_incomplete(each) && !supported.curves.empty();

@@ -6,6 +6,7 @@
 
 #include "studies/analysis/fitted_curve.h"
 #include "studies/analysis/study_data.h"
+#include "studies/loss/consequences.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::study {
@@ -17,6 +18,7 @@ struct ExportChoice {
   bool separate = false;  ///< a component for each limit state, not for those of one quantity
   bool discrete = false;  ///< NRML with probabilities at intensities, not parameters
   CurveMethod method = CurveMethod::kOwn;
+  const Consequences* consequences = nullptr;  ///< for pelicun: what the damage states cost
 };
 
 /// Indices of the configurations that are chosen.

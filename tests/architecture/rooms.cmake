@@ -60,11 +60,15 @@ set(GURNEY_ROOMS
   "studies/analysis: engine/base engine/config engine/response
     groundmotions/measures studies/statistics studies/job studies/units
     studies/results studies/limit_states studies/plan"
+  "studies/loss: engine/base engine/config equipment/catalogue studies/statistics studies/results
+    studies/limit_states studies/analysis"
+  "studies/hospital: engine/base engine/config engine/scene equipment/catalogue studies/statistics
+    studies/results studies/limit_states studies/plan studies/analysis studies/loss"
   "studies/convergence: engine/base engine/run studies/statistics studies/results
     studies/prepare studies/limit_states studies/run"
   "studies/exports: engine/base engine/config engine/scene groundmotions/measures
     equipment/catalogue studies/statistics studies/units studies/results
-    studies/limit_states studies/analysis"
+    studies/limit_states studies/analysis studies/loss"
   "studies/calibration/trials: engine/base engine/config engine/scene"
   "studies/calibration/fit: engine/base engine/config engine/scene engine/run equipment/catalogue
     studies/statistics studies/calibration/trials"
@@ -77,13 +81,14 @@ set(GURNEY_ROOMS
   "studies/report: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/assembly groundmotions/buildings equipment/catalogue
     studies/build_info studies/verification studies/units studies/results studies/analysis
-    studies/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
+    studies/loss studies/hospital studies/convergence studies/calibration/trials
+    studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render studies/explanation"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
     studies/statistics studies/verification studies/units studies/results studies/analysis
-    studies/convergence studies/calibration/trials studies/calibration/fit studies/explanation
-    studies/report"
+    studies/hospital studies/convergence studies/calibration/trials studies/calibration/fit
+    studies/explanation studies/report"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info
     studies/job studies/units studies/results studies/plan
@@ -105,7 +110,7 @@ set(GURNEY_ROOMS
     groundmotions/buildings equipment/catalogue studies/build_info studies/verification studies/job studies/units
     studies/results
     studies/prepare studies/limit_states studies/plan studies/run
-    studies/analysis studies/exports studies/calibration/fit
+    studies/analysis studies/loss studies/hospital studies/exports studies/calibration/fit
     studies/calibration/pulling studies/render studies/report studies/figures
     studies/explanation studies/picture
     studies/page studies/playback studies/doctor studies/templates")

@@ -75,8 +75,8 @@ PYTHON
 done
 expect 1 "has no use for --resume;" "$gurney" run "$job" --resume
 "$gurney" help > /dev/full 2> stderr && complain "help on a full disk ends with 0"
-for command in run check replay show play report fragility export compare pulling measures sensitivity converge \
-    "records floor" "equipment check" calibrate verify; do
+for command in run check replay show play report fragility export compare pulling measures sensitivity loss \
+    hospital converge "records floor" "equipment check" calibrate verify; do
   # shellcheck disable=SC2086
   expect 0 "Examples:" "$gurney" $command --help
 done

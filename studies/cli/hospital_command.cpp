@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include "engine/base/error.h"
+#include "engine/base/files.h"
+#include "engine/base/input_file.h"
+#include "engine/base/parallel.h"
+#include "engine/base/shell_word.h"
+#include "studies/cli/commands.h"
+#include "studies/cli/output.h"
+#include "studies/cli/run_command.h"
+#include "studies/cli/shared_options.h"
+#include "studies/figures/hospital_figure.h"
+#include "studies/hospital/hospital_answer.h"
+#include "studies/report/hospital_report.h"
+#include "studies/results/output_files.h"
+
+namespace gurney::cli {
+namespace {
+
+struct HospitalOptions {
+  std::string file, job, run;
+  study::HospitalRequest request;
+  FigureFile figure;
+  bool json = false, overwrite = false;
+};
+
+/// Writes the hospital's job beside the results and runs it; what is there already is not run again.
+int run_hospital(const HospitalOptions& options, const std::string& job) {
+  const std::filesystem::path path = std::filesystem::path(options.run).replace_extension(".toml");
+  if (!is_there(path) || read_input_file(path.string()) != job)
+    write_output(path.string(), job, options.overwrite, true);
+  RunOptions run;
+  run.job = path.string();
+  run.output = options.run;
+  run.quiet = run.json = options.json;
+  run.quiet = true;
+  run.resume = is_there(options.run) || is_there(options.run + ".parts");
+  run.overwrite = options.overwrite;
+  run.threads = options.request.threads;
+  return run_study(run);
+}
+
+int hospital(const HospitalOptions& options) {
+  options.figure.check(options.overwrite);
+  const study::Hospital hospital = study::read_hospital(options.file);
+  const auto consequences = study::Consequences::read(hospital.consequences);
+  if (!options.job.empty()) {
+    write_output(options.job, study_job(hospital, consequences), options.overwrite, options.json);
+    return 0;
+  }
+  study::HospitalRequest request = options.request;
+  request.threads = threads_or_all(request.threads);
+  int code = 0;
+  if (!options.run.empty()) {
+    code = run_hospital(options, study_job(hospital, consequences));
+    if (code != 0 && code != 3) return code;
+    request.results = options.run;
+  }
+  const study::HospitalAnswer answer = hospital_answer(hospital, consequences, request);
+  if (!options.figure.empty())
+    options.figure.write(figures::hospital_figure(hospital, answer), options.overwrite, true);
+  print_findings(report::hospital_findings(hospital, answer), options.json);
+  return code;
+}
+
+}  // namespace
+
+void add_hospital(Commands& commands) {
+  commands.add<HospitalOptions>(
+      {"hospital", "Services, beds and loss of a hospital; what to secure first",
+       "gurney hospital ward.toml\n"
+       "gurney hospital ward.toml --run out/ward.h5 --figure ward.svg\n"
+       "gurney hospital ward.toml --by \"intensive care\" --at 0.4"},
+      hospital, [](Options& add, HospitalOptions& options) {
+        add.required("FILE", options.file, "The hospital: rooms, items, services, actions");
+        CLI::Option* const job =
+            add("--job FILE", options.job, "Write the study that it becomes, for gurney run");
+        CLI::Option* const run =
+            add("--run RESULTS", options.run,
+                "Run that study, or go on with it, into this .h5 file, and answer from its runs");
+        add("--results FILE", options.request.results,
+            "Answer from the runs of that study (default: from curves)")
+            ->excludes(job)
+            ->excludes(run);
+        job->excludes(run);
+        add("--at NUMBER", options.request.at,
+            "PGV in m/s at which actions are ranked, a level of the file (default: the middle "
+            "one)");
+        add("--by WHAT", options.request.by,
+            "Rank actions by beds, loss or a service (default: beds, or loss without beds)");
+        add("--samples", options.request.samples, "Samples of the motion (default: 10000)")
+            ->check(CLI::Range(std::size_t{100}, std::size_t{10000000}));
+        add("--seed", options.request.seed, "Seed of the samples (default: 1)");
+        add_figure_option(add, options.figure, "Draw services, beds and ranking");
+        add("--overwrite", options.overwrite, "Replace files that exist");
+        add.threads(options.request.threads, "Threads (default: all cores)");
+        add("--json", options.json, "Print JSON");
+      });
+}
+
+}  // namespace gurney::cli

@@ -1,0 +1,76 @@
+#include "studies/hospital/toml_text.h"
+
+#include <fmt/format.h>
+
+#include "engine/base/files.h"
+
+namespace gurney::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string joined(const config::Node& of, char open, char close, const auto& text_of) {
+  std::string text(1, open);
+  for (const config::Node& each : of.elements)
+    text += (text.size() > 1 ? ", " : "") + text_of(each);
+  return text + close;
+}
+
+bool is_path(const config::Node& table, const std::string& key) {
+  return key == "suite" || (key == "file" && table.find("kind") == nullptr);
+}
+
+std::string written(const config::Node& value, const fs::path& folder, bool path) {
+  using Kind = config::Node::Kind;
+  switch (value.kind) {
+    case Kind::kBoolean:
+      return value.boolean ? "true" : "false";
+    case Kind::kInteger:
+      return fmt::format("{}", value.integer);
+    case Kind::kNumber:
+      return fmt::format("{}", value.number);
+    case Kind::kText:
+      return toml_string(path ? fs::absolute(folder / value.text).lexically_normal().string()
+                              : value.text);
+    case Kind::kArray:
+      return joined(value, '[', ']',
+                    [&](const config::Node& each) { return written(each, folder, path); });
+    case Kind::kTable:
+      return joined(value, '{', '}', [&](const config::Node& each) {
+        return toml_string(each.key) + " = " + written(each, folder, is_path(value, each.key));
+      });
+    case Kind::kOther:
+      break;
+  }
+  return value.text;
+}
+
+}  // namespace
+
+std::string toml_string(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      quoted += std::string("\\") + c;
+    else if (static_cast<unsigned char>(c) < 0x20)
+      quoted += fmt::format("\\u{:04x}", static_cast<int>(c));
+    else
+      quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string inline_toml(const config::Node& value, const fs::path& folder) {
+  return written(value, folder, false);
+}
+
+std::string inline_toml(const config::Node& parent, const std::string& key, const std::string& name,
+                        const fs::path& folder) {
+  if (parent.kind == config::Node::Kind::kTable) return inline_toml(*parent.find(key), folder);
+  for (const config::Node& each : parent.elements)
+    if (const config::Node* const of = each.find("name"); of != nullptr && of->text == name)
+      return inline_toml(*each.find(key), folder);
+  return {};
+}
+
+}  // namespace gurney::study

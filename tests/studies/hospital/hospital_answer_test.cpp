@@ -1,0 +1,301 @@
+#include "studies/hospital/hospital_answer.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+
+#include "engine/base/random/normal_draw.h"
+#include "studies/statistics/special.h"
+#include "tests/support/error_text.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney::study {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kConsequences = R"(schema = "gurney-consequences/1"
+currency = "EUR"
+year = 2025
+[[price]]
+item = "cart"
+price = 1000
+[[limit_state]]
+name = "moved"
+demand = "peak_displacement"
+above = 10
+unit = "cm"
+[[limit_state]]
+name = "fell"
+event = "overturned"
+[[consequence]]
+limit_state = "moved"
+cost_ratio = 0.1
+days = 1
+injury = "none"
+service = "kept"
+[[consequence]]
+limit_state = "fell"
+cost_ratio = 0.6
+days = 7
+injury = "serious"
+service = "lost"
+)";
+
+constexpr const char* kCurves =
+    "item,floor,place,brakes,limit_state,measure,unit,theta,theta_low,theta_high,beta,reason\n"
+    "cart,ground,open,off,moved,PGV larger,m/s,0.3,0.25,0.36,0.5,\n"
+    "cart,ground,open,off,fell,PGV larger,m/s,0.6,0.5,0.72,0.4,\n"
+    "cart,ground,open,on,moved,PGV larger,m/s,0.8,0.7,0.9,0.5,\n"
+    "cart,ground,open,on,fell,PGV larger,m/s,0.5,0.4,0.6,0.4,\n"
+    "cart,high,open,off,fell,PGV larger,m/s,,,,,no run exceeds: median above 1.5 m/s\n"
+    "cart,high,open,on,fell,PGV larger,m/s,,,,,no run exceeds: median above 1.5 m/s\n"
+    "cart,step,open,off,fell,PGV larger,m/s,,,,,quasi-complete separation: median about 0.4 m/s\n"
+    "cart,step,open,on,fell,PGV larger,m/s,,,,,quasi-complete separation: median about 0.4 m/s\n";
+
+constexpr const char* kHospital = R"TOML(schema = "gurney-hospital/1"
+title = "Carts"
+consequences = "consequences.toml"
+curves = "curves.csv"
+[motion]
+pgv_m_per_s = [0.2, 0.5]
+correlation = 0.5
+[[storey]]
+name = "first"
+[[room]]
+name = "bay"
+storey = "first"
+count = 3
+beds = 2
+works = "at_least(3, cart)"
+[[room.item]]
+name = "cart"
+equipment = "cart"
+count = 5
+[[service]]
+name = "all bays"
+works = "bay"
+[[service]]
+name = "one bay"
+works = "any(bay)"
+[[action]]
+name = "tether"
+items = "bay/cart"
+tether_holds = 0.5
+cost = 20
+[[action]]
+name = "brakes"
+items = ["bay/cart"]
+brakes = "on"
+cost = 1
+)TOML";
+
+class HospitalTest : public testing::Test {
+ protected:
+  HospitalTest() {
+    folder_.write("consequences.toml", kConsequences);
+    folder_.write("curves.csv", kCurves);
+  }
+
+  Hospital hospital(const std::string& from = "", const std::string& to = "") {
+    std::string text = kHospital;
+    if (!from.empty()) {
+      EXPECT_NE(text.find(from), std::string::npos) << from;
+      text.replace(text.find(from), from.size(), to);
+    }
+    return read_hospital(folder_.write("h.toml", text));
+  }
+
+  HospitalAnswer answer(const Hospital& of, HospitalRequest request = {}) {
+    request.samples = kSamples;
+    return hospital_answer(of, Consequences::read(of.consequences), request);
+  }
+
+  std::string error(const std::string& from, const std::string& to) {
+    return error_text([&] { answer(hospital(from, to)); });
+  }
+
+  static constexpr std::size_t kSamples = 10000;
+  /// Bernstein's inequality: a share of n samples is farther off with a probability of at most 2
+  /// exp(-15), one in two million, also where it is rare.
+  static double bound(double p, double n = kSamples) {
+    return std::sqrt(2 * 15 * p * (1 - p) / n) + 15 / (3 * n);
+  }
+
+  TempFolder folder_;
+};
+
+/// P(at least 3 of 5 work).
+double bay_works(double fails) { return 1 - statistics::binomial_cdf(2, 5, 1 - fails); }
+
+double falls(double im, double theta = 0.6, double beta = 0.4) {
+  return normal_cdf(std::log(im / theta) / beta);
+}
+
+/// Of a function of P(fails | z), over the common normal score z: Simpson's rule on [-8, 8].
+double over_motions(double correlation, double im, const std::function<double(double)>& of) {
+  constexpr int kPanels = 4000;
+  const double step = 16.0 / kPanels, threshold = std::log(im / 0.6) / 0.4;
+  double sum = 0;
+  for (int i = 0; i <= kPanels; ++i) {
+    const double z = -8 + step * i;
+    const double fails =
+        normal_cdf((threshold - std::sqrt(correlation) * z) / std::sqrt(1 - correlation));
+    const double weight = i == 0 || i == kPanels ? 1 : i % 2 == 1 ? 4 : 2;
+    sum += weight * step / 3 * statistics::normal_density(z) * of(fails);
+  }
+  return sum;
+}
+
+TEST_F(HospitalTest, IndependentPiecesHaveTheBinomialClosedForm) {
+  const HospitalAnswer found = answer(hospital("correlation = 0.5", "correlation = 0"));
+  for (const LevelAnswer& level : found.levels) {
+    const double bay = bay_works(falls(level.pgv)), all = std::pow(bay, 3),
+                 one = 1 - std::pow(1 - bay, 3);
+    EXPECT_NEAR(level.services[0].works.value, all, bound(all));
+    EXPECT_NEAR(level.services[1].works.value, one, bound(one));
+    // Means of 3 bays, which are no wider than one of them.
+    EXPECT_NEAR(level.rooms[0].works.value, bay, bound(bay));
+    EXPECT_NEAR(level.beds_out.value, 6 * (1 - bay), 6 * bound(bay));
+  }
+}
+
+TEST_F(HospitalTest, PiecesOfOneMotionHaveTheMixtureOfBinomials) {
+  const HospitalAnswer found = answer(hospital());
+  for (const LevelAnswer& level : found.levels) {
+    const double all =
+        over_motions(0.5, level.pgv, [](double fails) { return std::pow(bay_works(fails), 3); });
+    const double one = over_motions(
+        0.5, level.pgv, [](double fails) { return 1 - std::pow(1 - bay_works(fails), 3); });
+    EXPECT_NEAR(level.services[0].works.value, all, bound(all));
+    EXPECT_NEAR(level.services[1].works.value, one, bound(one));
+    // The motion alone decides: all fall or none. The bounds have 2000 samples.
+    const double none = 1 - falls(level.pgv);
+    EXPECT_NEAR(*level.services[0].dependent, none, bound(none, 2000));
+    EXPECT_EQ(*level.services[0].dependent, *level.services[1].dependent);
+  }
+  // Dependence helps what needs all, and hurts what needs one.
+  const LevelAnswer& strong = found.levels[1];
+  EXPECT_GT(strong.services[0].works.value, *strong.services[0].independent);
+  EXPECT_LT(strong.services[1].works.value, *strong.services[1].independent);
+}
+
+TEST_F(HospitalTest, TheLossIsThatOfTheWorstStateWhateverTheCorrelation) {
+  for (const char* correlation : {"correlation = 0", "correlation = 1"}) {
+    const HospitalAnswer found = answer(hospital("correlation = 0.5", correlation));
+    for (const LevelAnswer& level : found.levels) {
+      const double moved = falls(level.pgv, 0.3, 0.5), fell = falls(level.pgv);
+      // States share the score of a piece. It falls at scores below a, moves at those below b > a.
+      const double expected = 15 * (100 * std::max(moved, fell) + 500 * fell);
+      // The loss of a piece is at most 600: its standard deviation is at most 300.
+      EXPECT_NEAR(level.loss.value, expected, 5 * 15 * 300 / std::sqrt(kSamples));
+    }
+  }
+}
+
+TEST_F(HospitalTest, DoesNotDependOnThreads) {
+  HospitalRequest threads;
+  threads.threads = 3;
+  const HospitalAnswer one = answer(hospital()), three = answer(hospital(), threads);
+  for (std::size_t i = 0; i < one.levels.size(); ++i) {
+    EXPECT_EQ(one.levels[i].loss.value, three.levels[i].loss.value);
+    EXPECT_EQ(one.levels[i].loss.interval.low, three.levels[i].loss.interval.low);
+    EXPECT_EQ(one.levels[i].services[0].works.interval.high,
+              three.levels[i].services[0].works.interval.high);
+  }
+  EXPECT_EQ(one.ranking[0].gain.interval.low, three.ranking[0].gain.interval.low);
+}
+
+TEST_F(HospitalTest, RanksByTheGainForTheCost) {
+  HospitalRequest by_loss;
+  by_loss.by = "loss";
+  const HospitalAnswer found = answer(hospital(), by_loss);
+  ASSERT_EQ(found.ranking.size(), 2);
+  // Brakes make carts fall, but keep them from moving: at 0.5 m/s both cost more than they save.
+  EXPECT_EQ(found.ranking[0].name, "tether");
+  EXPECT_EQ(found.ranking[0].pieces, 15);
+  EXPECT_EQ(found.ranking[0].cost, 300);
+  EXPECT_EQ(found.ranked_at, 0.5);
+  const double before = 15 * (100 * falls(0.5, 0.3, 0.5) + 500 * falls(0.5));
+  // Half of the tethers hold. The ranking has 2000 samples of pieces with a deviation of at most
+  // 300, of 15 of them if all are alike.
+  const double error = 5 * 15 * 300 / std::sqrt(2000.0);
+  EXPECT_NEAR(found.before, before, error);
+  EXPECT_NEAR(found.ranking[0].gain.value, before / 2, error);
+  EXPECT_TRUE(found.ranking[0].taken);
+  EXPECT_LE(found.ranking[0].gain.interval.low, found.ranking[0].gain.value);
+  const double braked = 15 * (100 * falls(0.5, 0.8, 0.5) + 500 * falls(0.5, 0.5, 0.4));
+  EXPECT_NEAR(found.ranking[1].gain.value, before / 2 - braked / 2, error);
+}
+
+TEST_F(HospitalTest, WithoutACurveIsAStepOrNothing) {
+  const auto on = [&](const std::string& floor) {
+    return answer(hospital("name = \"first\"", "name = \"first\"\nfloor = \"" + floor + "\""));
+  };
+  EXPECT_EQ(on("high").levels[1].loss.value, 0);
+  EXPECT_EQ(on("step").levels[0].loss.value, 0);
+  EXPECT_EQ(on("step").levels[1].loss.value, 15 * 600);
+}
+
+TEST_F(HospitalTest, ErrorsHavePlaces) {
+  EXPECT_THAT(error("equipment = \"cart\"", "equipment = \"card\""),
+              HasSubstr("h.toml:18:13: 'card': no curves of this item; did you mean 'cart'?"));
+  EXPECT_THAT(error("works = \"bay\"", "works = \"bays\""),
+              HasSubstr("h.toml:22:9: service[0].works: at character 1: 'bays': no such item, room "
+                        "or service; did you mean 'bay'?"));
+  EXPECT_THAT(error("works = \"bay\"", "works = \"all(bay, 'x')\""), HasSubstr("at character 10"));
+  EXPECT_THAT(error("works = \"bay\"", "works = 'any(\"one bay\", bay)'"), HasSubstr("(no error)"));
+  EXPECT_THAT(error("works = \"any(bay)\"", "works = 'all(bay, \"one bay\")'"),
+              HasSubstr("h.toml:25:9: service[1].works: at character 10: a circle: one bay -> one "
+                        "bay"));
+  EXPECT_THAT(error("at_least(3, cart)", "at_least(6, cart)"),
+              HasSubstr("room[0].works: at character 1: at_least(6, ...) of 5 parts: must be 1 to "
+                        "5"));
+  EXPECT_THAT(error("works = \"bay\"", "works = \"not_reached(bay/cart, fallen)\""),
+              HasSubstr("'fallen': no such limit state; known: moved, fell"));
+  EXPECT_THAT(error("cost = 20", "cost = -20"),
+              HasSubstr("action[0].cost = -20: must be a finite number >= 0"));
+  EXPECT_THAT(error("tether_holds = 0.5", "tether_holds = 1.5"),
+              HasSubstr("action[0].tether_holds = 1.5: must be"));
+  EXPECT_THAT(error("correlation = 0.5", "correlation = 2"), HasSubstr("motion.correlation = 2"));
+  EXPECT_THAT(error("items = \"bay/cart\"", "items = \"bay/bed\""),
+              HasSubstr("action[0].items = \"bay/bed\": no such item; known: bay/cart"));
+  EXPECT_THAT(error("storey = \"first\"", "storey = \"frist\""),
+              HasSubstr("did you mean 'first'?"));
+  EXPECT_THAT(error("name = \"first\"", "name = \"first\"\nfloor = \"grond\""),
+              HasSubstr("h.toml:9:8: floor 'grond': no curves on it; did you mean 'ground'?"));
+  EXPECT_THAT(error("count = 5", "items = \"none.csv\""), HasSubstr("unknown key"));
+  EXPECT_THAT(error("[0.2, 0.5]", "[0.5, 0.2]"), HasSubstr("motion.pgv_m_per_s: must increase"));
+}
+
+TEST_F(HospitalTest, ReadsItemsFromATable) {
+  const std::string items = "name,equipment,count,brakes,share_braked\ncart,cart,5,on,0.4\n";
+  folder_.write("items.csv", items);
+  const auto with_table = [&] {
+    std::string text = kHospital;
+    const std::string table = "[[room.item]]\nname = \"cart\"\nequipment = \"cart\"\ncount = 5\n";
+    text.replace(text.find(table), table.size(), "items = \"items.csv\"\n");
+    return read_hospital(folder_.write("h.toml", text));
+  };
+  const Hospital read = with_table();
+  ASSERT_EQ(read.rooms[0].items.size(), 1);
+  EXPECT_EQ(read.rooms[0].items[0].count, 5);
+  EXPECT_EQ(read.rooms[0].items[0].securing.share, 0.4);
+  const double fails = 0.4 * falls(0.5, 0.5, 0.4) + 0.6 * falls(0.5);
+  // The share is of each piece by itself; the mean over bays has no larger deviation than one.
+  Hospital independent = read;
+  independent.correlation = 0;
+  const double bay = bay_works(fails);
+  EXPECT_NEAR(answer(independent).levels[1].rooms[0].works.value, bay, bound(bay));
+  folder_.write("items.csv", "name,equipment,count\ncart,cart,many\n");
+  EXPECT_THAT(error_text(with_table),
+              HasSubstr("items.csv:2:11: count = 'many': must be a number"));
+  folder_.write("items.csv", "name,equipment,brakes\ncart,cart,onn\n");
+  EXPECT_THAT(error_text(with_table), HasSubstr("items.csv:2:1: brakes = \"onn\": must be one of"));
+  folder_.write("items.csv", "name,equipement\ncart,cart\n");
+  EXPECT_THAT(error_text(with_table), HasSubstr("unknown column; did you mean 'equipment'?"));
+}
+
+}  // namespace
+}  // namespace gurney::study

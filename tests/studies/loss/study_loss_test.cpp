@@ -1,0 +1,162 @@
+#include "studies/loss/study_loss.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "engine/base/random/normal_draw.h"
+#include "engine/base/units.h"
+#include "studies/statistics/special.h"
+#include "tests/studies/analysis/small_study.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
+
+namespace gurney::study {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A cart of 1000 that costs 100 where it moves 10 cm, and 600 where it falls.
+constexpr const char* kFile = R"(schema = "gurney-consequences/1"
+currency = "EUR"
+year = 2025
+[[price]]
+item = "cart"
+price = 1000
+[[limit_state]]
+name = "moved"
+demand = "peak_displacement"
+above = 10
+unit = "cm"
+[[limit_state]]
+name = "fell"
+event = "overturned"
+[[consequence]]
+limit_state = "moved"
+cost_ratio = { value = 0.1, assumption = "a guess", range = [0, 0.2] }
+days = 1
+injury = "none"
+service = "check"
+[[consequence]]
+limit_state = "fell"
+cost_ratio = 0.6
+days = 7
+injury = "serious"
+service = "lost"
+)";
+
+Consequences consequences(const std::string& text = kFile) {
+  config::Document document(text, "c.toml");
+  return Consequences::read(document);
+}
+
+class StudyLossTest : public testing::Test {
+ protected:
+  /// 40 records at three levels. Capacities of falling are twice those of moving, record by record.
+  StudyLossTest() {
+    for (std::size_t record = 0; record < 40; ++record) {
+      const double z = normal_quantile((static_cast<double>(record) + 0.5) / 40);
+      const double capacity = 2 * std::exp(0.4 * z);  // [m/s2]
+      for (const double im : {1.0, 2.0, 4.0})
+        runs_.push_back({record, im, 0.1 * im / capacity, im > 2 * capacity});
+    }
+    write_small_study(path_, runs_);
+  }
+
+  StudyLoss loss(const LossRequest& request = {}, const std::string& text = kFile) {
+    const StudyData data(path_);
+    return study_losses(data, consequences(text), request).front();
+  }
+
+  TempFolder folder_;
+  std::string path_ = folder_.file("s.h5");
+  std::vector<SmallRun> runs_;
+};
+
+TEST_F(StudyLossTest, AtALevelItIsTheMeanOfTheWorstStateOfEachRun) {
+  const StudyLoss found = loss();
+  EXPECT_THAT(found.unpriced, ElementsAre("bed"));
+  ASSERT_EQ(found.levels.size(), 3);
+  for (std::size_t level = 0; level < 3; ++level) {
+    double cost = 0, days = 0, fell = 0, high = 0;
+    for (const SmallRun& run : runs_) {
+      if (run.intensity != std::vector<double>{1, 2, 4}[level]) continue;
+      const bool moved = run.displacement > 0.1;
+      cost += (run.fell ? 600 : moved ? 100 : 0) / 40.0;
+      high += (run.fell ? 600 : moved ? 200 : 0) / 40.0;
+      days += (run.fell ? 7 : moved ? 1 : 0) / 40.0;
+      fell += run.fell ? 1 / 40.0 : 0;
+    }
+    const LossAtLevel& at = found.levels[level];
+    EXPECT_NEAR(at.cost.value, cost, 1e-9);
+    EXPECT_NEAR(at.days.value, days, 1e-9);
+    EXPECT_NEAR(at.out_of_use.estimate, fell, 1e-12);
+    EXPECT_NEAR(at.high, high, 1e-9);
+    ASSERT_TRUE(at.cost.interval);
+    EXPECT_LE(at.cost.interval->low, cost);
+    EXPECT_GE(at.cost.interval->high, cost);
+  }
+}
+
+/// Cornell's k0 theta^-k exp(k^2 beta^2 / 2) for each step of the cost (hazard.h), with the hazard of
+/// the job, k0 = 1e-3 and k = 2 over PGA in g. The curves are those of the outcomes, fitted apart.
+TEST_F(StudyLossTest, ItsAnnualValueIsTheClosedFormOfLognormalCurvesAndAPowerLaw) {
+  const StudyLoss found = loss();
+  double expected = 0;
+  const auto add = [&](double amount, auto happened) {
+    std::vector<statistics::Observation> seen;
+    for (const SmallRun& run : runs_) seen.push_back({run.intensity, happened(run), run.record});
+    const statistics::LognormalCurve curve = *statistics::fit_fragility(seen).curve;
+    const double theta = curve.theta / kStandardGravity;
+    expected += amount * 1e-3 * std::pow(theta, -2) * std::exp(2 * curve.beta * curve.beta);
+  };
+  add(100, [](const SmallRun& run) { return run.displacement > 0.1; });
+  add(500, [](const SmallRun& run) { return run.fell; });
+  ASSERT_TRUE(found.annual);
+  EXPECT_NEAR(found.annual->cost.value, expected, 1e-9 * expected);
+  ASSERT_EQ(found.steps.size(), 2);
+  EXPECT_EQ(found.steps[0].states, "moved or fell");
+  EXPECT_EQ(found.steps[1].cost, 500);
+  // Falls are out of use: one event with its own curve.
+  EXPECT_NEAR(found.annual->out_of_use.value, *found.steps[1].rate, 1e-15);
+  ASSERT_TRUE(found.annual->cost.interval);
+  EXPECT_LT(found.annual->cost.interval->low, expected);
+  EXPECT_GT(found.annual->cost.interval->high, expected);
+}
+
+TEST_F(StudyLossTest, AtAnIntensityItIsTheSumOfTheStepsProbabilities) {
+  const StudyLoss found = loss({.at = {3}});
+  double expected = 0;
+  for (const FittedStep& step : found.steps) expected += step.cost * step.curve.probability(3);
+  EXPECT_NEAR(found.at.front().cost.value, expected, 1e-9);
+}
+
+TEST_F(StudyLossTest, IsTheSameForAnyNumberOfThreads) {
+  const StudyLoss one = loss({.at = {3}, .threads = 1}), three = loss({.at = {3}, .threads = 3});
+  EXPECT_EQ(one.annual->cost.interval->low, three.annual->cost.interval->low);
+  EXPECT_EQ(one.at.front().cost.interval->high, three.at.front().cost.interval->high);
+}
+
+TEST_F(StudyLossTest, NeedsAPrice) {
+  std::string text = kFile;
+  text.replace(text.find("\"cart\""), 6, "\"bike\"");
+  EXPECT_ERROR(loss({}, text), "none of its items has a price in c.toml: cart, bed; it has bike");
+}
+
+TEST(EventCurve, WithoutACurveHasTheSharesOfTheRunsAndTheirRate) {
+  // None of 10 at 1, all at 2: linear in ln im between. With the hazard im^-k the rate is
+  // P2 l2 + integral of (ln x / ln 2) k x^(-k - 1) = l2 + [1 - 2^-k (1 + k ln 2)] / (k ln 2).
+  const EventCurve curve({{1, 10, 0}, {2, 10, 10}});
+  EXPECT_FALSE(curve.is_fitted());
+  EXPECT_EQ(curve.probability(0.9), 0);
+  EXPECT_NEAR(curve.probability(std::sqrt(2.0)), 0.5, 1e-15);
+  EXPECT_EQ(curve.probability(3), 1);
+  const double k = 2, last = std::pow(2, -k), x = k * std::log(2.0);
+  const double exact = last + (1 - last * (1 + x)) / x;
+  // Midpoints of 64 panels: (k ln 2 / 64)^2 / 12 of it.
+  EXPECT_NEAR(curve.rate(statistics::HazardCurve::power_law(1, k)), exact, 4e-5 * exact);
+}
+
+}  // namespace
+}  // namespace gurney::study

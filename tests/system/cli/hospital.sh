@@ -1,0 +1,142 @@
+#!/usr/bin/env bash
+# Loss of a study and answers for a hospital, from outside: numbers of both agree where they mean the
+# same, do not depend on threads, an interruption or shards, and errors say where.
+# usage: hospital.sh GURNEY SOURCE_FOLDER
+set -uo pipefail
+gurney=$1
+. "$2/tests/system/cli/expect.sh"
+
+# number FILE PATH: a number of JSON, such as levels.0.loss
+number() {
+  python3 -c '
+import json, sys
+at = json.load(open(sys.argv[1]))
+for key in sys.argv[2].split("."):
+    at = at[int(key)] if key.isdigit() else at[key]
+print(at)' "$1" "$2"
+}
+# near A B FACTOR: both differ by less than this part of B
+near() { python3 -c 'import sys; a, b, f = map(float, sys.argv[1:]); sys.exit(abs(a - b) > f * abs(b))' "$@"; }
+
+cat > consequences.toml << TOML
+schema = "gurney-consequences/1"
+currency = "EUR"
+year = 2025
+[[price]]
+item = "infusion_pole"
+price = 1000
+[[limit_state]]
+name = "moved"
+demand = "peak_displacement"
+above = 5
+unit = "cm"
+[[limit_state]]
+name = "overturned"
+event = "overturned"
+[[consequence]]
+limit_state = "moved"
+cost_ratio = 0.1
+days = 1
+injury = "none"
+service = "lost"
+[[consequence]]
+limit_state = "overturned"
+cost_ratio = 0.5
+days = 5
+injury = "serious"
+service = "lost"
+TOML
+cat > ward.toml << TOML
+schema = "gurney-hospital/1"
+title = "Poles"
+consequences = "consequences.toml"
+[motion]
+pgv_m_per_s = [0.2, 0.5]
+[[storey]]
+name = "ground"
+[[room]]
+name = "bay"
+storey = "ground"
+count = 4
+beds = 1
+[[room.item]]
+name = "pole"
+equipment = "infusion_pole"
+[[service]]
+name = "all"
+works = "bay"
+[[action]]
+name = "brakes on"
+items = ["bay/pole"]
+brakes = "on"
+cost = 5
+[simulation]
+covering = "polyflor_mystique"
+synthetic_records = 8
+draws = 2
+[simulation.record]
+synthetic = { kind = "white_noise", duration_s = 4, taper_s = 1, highest_frequency_hz = 10, pga_h2_g = 0.2 }
+TOML
+
+# The study that the hospital becomes, run at once, in shards, and continued.
+expect 0 "beds out" "$gurney" hospital ward.toml --run whole.h5 -j 2
+cp stdout whole
+[ -e whole.toml ] || complain "no job beside the results"
+expect 0 "beds out" "$gurney" hospital ward.toml --run whole.h5
+cmp stdout whole || complain "the second call answers otherwise"
+expect 0 "" "$gurney" hospital ward.toml --job job.toml
+cmp job.toml whole.toml || complain "--job writes another job than --run"
+expect 0 "" "$gurney" check job.toml
+for shard in 1/2 2/2; do expect 0 "shard" "$gurney" run job.toml -o shards.h5 --shard "$shard"; done
+expect 0 "" "$gurney" merge shards.h5.shards
+expect 0 "beds out" "$gurney" hospital ward.toml --results shards.h5 -j 1
+cmp stdout whole || complain "the answers from shards differ"
+expect 0 "" "$gurney" hospital ward.toml --results whole.h5 --json -j 3
+cp stdout runs.json
+expect 0 "" "$gurney" loss whole.h5 --consequences consequences.toml --json
+cp stdout loss.json
+
+# A piece of the hospital has the expected loss of its configuration, which loss has from the runs: four
+# pieces, and samples with a standard error of at most 4 x 500 / sqrt(10000) = 20.
+for level in 0 1; do
+  pieces=$(number runs.json levels.$level.loss)
+  each=$(number loss.json losses.0.levels.$level.mean_cost)
+  python3 -c 'import sys; a, b = map(float, sys.argv[1:]); sys.exit(abs(a - 4 * b) > 5 * 20)' "$pieces" "$each" ||
+    complain "loss $pieces of 4 pieces that lose $each each"
+done
+grep -q '"interval"' runs.json || complain "no interval"
+
+# From curves; figures.
+expect 0 "if independent" "$gurney" hospital "$2/studies/hospitals/ward.toml" --samples 500 --figure ward.svg
+grep -q "<svg" ward.svg || complain "no figure"
+expect 1 "ward.svg" "$gurney" hospital "$2/studies/hospitals/ward.toml" --samples 500 --figure ward.svg
+expect 0 "by chance that wards is lost" "$gurney" hospital "$2/studies/hospitals/ward.toml" --samples 500 --by wards --at 0.8
+
+# Errors.
+expect 1 "--by 'bets': must be beds, loss or a service; did you mean 'beds'?" "$gurney" hospital ward.toml --results whole.h5 --by bets
+expect 1 "--at 0.3: ward.toml has the levels 0.2, 0.5 m/s" "$gurney" hospital ward.toml --results whole.h5 --at 0.3
+expect 2 "--run" "$gurney" hospital ward.toml --results whole.h5 --run other.h5
+sed '/^\[simulation\]/,$d' ward.toml > no_study.toml
+expect 1 "no_study.toml: simulation: must be given" "$gurney" hospital no_study.toml --run none.h5
+[ ! -e none.toml ] || complain "half written"
+sed 's/name = "ground"/name = "first"/; s/storey = "ground"/storey = "first"/' ward.toml > other.toml
+expect 1 "has no configuration 'infusion_pole open, first, off'; did you mean 'infusion_pole open, ground, off'?" \
+  "$gurney" hospital other.toml --results whole.h5
+expect 1 "the file is a hospital, not a job" "$gurney" run ward.toml
+expect 1 "the file is a list of consequences, not a hospital" "$gurney" hospital consequences.toml
+sed 's/infusion_pole/infusion_pol/' consequences.toml > unpriced.toml
+expect 1 "none of its items has a price in unpriced.toml" "$gurney" loss whole.h5 --consequences unpriced.toml
+expect 1 "ward.toml" "$gurney" loss ward.toml
+
+# For pelicun: costs of the ordered damage states of one component.
+expect 0 "consequence_repair.csv" "$gurney" export whole.h5 --to pelicun --consequences consequences.toml \
+  --limit-state "moved = peak_displacement > 5 cm" --configuration "infusion_pole open, ground, off" -o pelicun
+grep -q '^ID,Incomplete,Quantity-Unit,DV-Unit,DS1-Family,DS1-Theta_0' pelicun/consequence_repair.csv ||
+  complain "no header of DLML"
+grep -q -- '-Cost,0,1 EA,EUR,,100,,0,' pelicun/consequence_repair.csv || complain "no cost"
+grep -q -- '-Time,0,1 EA,day,,1,,0,' pelicun/consequence_repair.csv || complain "no time"
+expect 1 "no consequence of 'far'" "$gurney" export whole.h5 --to pelicun --consequences consequences.toml \
+  --limit-state "far = peak_displacement > 6 cm" -o far
+[ ! -e far ] || complain "half written"
+
+exit $((failures > 0))
