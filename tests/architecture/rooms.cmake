@@ -77,16 +77,16 @@ set(GURNEY_ROOMS
     studies/build_info studies/verification studies/units studies/results studies/analysis
     studies/convergence studies/calibration/trials studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render studies/explanation"
+  "studies/playback: engine/base engine/response studies/results"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
     studies/statistics studies/verification studies/units studies/results studies/analysis
     studies/convergence studies/calibration/trials studies/calibration/fit studies/explanation
-    studies/report"
+    studies/report studies/playback"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info
     studies/job studies/units studies/results studies/plan
     studies/analysis studies/findings studies/report studies/figures studies/explanation"
-  "studies/playback: engine/base engine/response studies/results"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/results
     studies/run studies/picture"
   "studies/templates: engine/base"
