@@ -117,6 +117,6 @@ set(GURNEY_LIBRARIES
   "hdf5|H5: studies/results/hdf5_"
   "nlohmann/: engine/config studies/exports studies/render studies/report
     studies/page studies/playback studies/workbench studies/cli"
-  "cairo|librsvg/: studies/picture/rendering"
+  "cairo|librsvg/: studies/picture/picture"
   "CLI/: studies/cli"
   "pybind11/: studies/bindings")
