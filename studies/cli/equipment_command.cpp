@@ -8,7 +8,6 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
-#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/json_errors.h"
 #include "studies/cli/output.h"
@@ -24,7 +23,7 @@ struct ShownItem {
   std::string item, floor, brakes;
   FigureFile figure;
   std::vector<std::string> variants;
-  bool json = false, assumptions = false, overwrite = false;
+  bool json = false, assumptions = false;
 };
 
 equipment::ItemOptions item_options(const ShownItem& options,
@@ -43,14 +42,13 @@ equipment::ItemOptions item_options(const ShownItem& options,
 }
 
 int show(const ShownItem& options) {
-  options.figure.check(options.overwrite);
+  options.figure.check();
   const std::string file = data_file(equipment::DataKind::kItem, options.item);
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
   const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));
   const report::EquipmentFacts facts = report::equipment_facts(item, loaded);
-  if (!options.figure.empty())
-    options.figure.write(figures::equipment_figure(facts), options.overwrite, true);
+  options.figure.write([&] { return figures::equipment_figure(facts); }, true);
   print_findings(report::equipment_findings(facts, options.assumptions), options.json);
   return 0;
 }
@@ -108,7 +106,6 @@ void add_equipment(Commands& commands) {
         add("--assumptions", options.assumptions, "List every parameter in use without a source");
         add_figure_option(add, options.figure, "A figure to write: plan and two sides");
         add("--json", options.json, "Print JSON, in SI units");
-        add("--overwrite", options.overwrite, "Replace a figure that exists");
       });
   equipment.add<EquipmentFiles>(
       {"check", "Validate files of items, casters, floor coverings, rooms and tethers",

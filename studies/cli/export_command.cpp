@@ -9,7 +9,6 @@
 #include "equipment/catalogue/load_item.h"
 #include "studies/analysis/overview.h"
 #include "studies/calibration/pulling/trial_job.h"
-#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
 #include "studies/cli/process.h"

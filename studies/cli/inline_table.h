@@ -3,6 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/error.h"
+#include "engine/config/document.h"
+#include "engine/config/table.h"
+
 namespace gurney::cli {
 
 /// Words of the command line as an inline table of TOML, so that they are read as strictly as a
@@ -21,5 +25,29 @@ std::string option_error(const std::string& option, const std::string& text,
 
 /// Cut at blanks.
 std::vector<std::string> words_of(const std::string& text);
+
+/// The value of an option such as --target "asce7 sds_g=1 sd1_g=0.6", read as a document.
+/// @param path   of its table in the document, such as "spectrum" or "processing[0]"
+/// @param first  key of the first word, which stands without it
+/// @param read   the root of the document -> value, which is not used where an error is noted
+/// @throws Error with all errors, in terms of the option as it was typed.
+template <class Read>
+auto read_option(const std::string& option, const std::string& text, const std::string& path,
+                 const std::string& first, const Read& read) {
+  try {
+    const std::string table = inline_table(first, words_of(text));
+    const std::size_t list = path.find("[0]");
+    config::Document document(list == std::string::npos
+                                  ? path + " = " + table + "\n"
+                                  : path.substr(0, list) + " = [" + table + "]\n",
+                              option);
+    config::Table root = document.root();
+    auto value = read(root);
+    document.finish();
+    return value;
+  } catch (const Error& error) {
+    throw Error(option_error(option, text, path, error.what()));
+  }
+}
 
 }  // namespace gurney::cli

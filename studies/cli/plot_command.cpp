@@ -14,15 +14,11 @@
 #include "studies/cli/repeated_run.h"
 #include "studies/cli/shared_options.h"
 #include "studies/figures/chart.h"
-#include "studies/figures/collision_figure.h"
 #include "studies/figures/demand_figures.h"
-#include "studies/figures/fragility_figures.h"
-#include "studies/figures/history_figure.h"
-#include "studies/figures/sensitivity_figures.h"
-#include "studies/figures/spectra_figure.h"
-#include "studies/figures/trajectory_figure.h"
-#include "studies/limit_states/limit_state_reader.h"
-#include "studies/page/job_scene.h"
+#include "studies/figures/plan_figures.h"
+#include "studies/figures/record_figures.h"
+#include "studies/figures/study_figures.h"
+#include "studies/page/page.h"
 
 namespace gurney::cli {
 namespace {
@@ -56,20 +52,12 @@ std::string trajectories(const PlotRequest& request, const figures::PlotPage& pa
 
 std::string fragility(const PlotRequest& request, const figures::PlotPage& page) {
   const study::StudyData data(request.file, {}, {}, page.units);
-  std::vector<std::size_t> states;
-  for (const std::string& name : request.what)
-    states.push_back(study::index_of(data.limit_states(), name));
-  for (std::size_t i = 0; request.what.empty() && i < data.limit_states().size(); ++i)
-    states.push_back(i);
-  std::vector<study::FragilityResult> results;
-  for (const std::size_t state : states)
-    for (const std::size_t configuration :
-         study::wanted_configurations(data, request.configurations))
-      results.push_back(study::fragility_of(data, {.state = state,
-                                                   .configuration = configuration,
-                                                   .measure = request.measure,
-                                                   .method = curve_method(request.method)}));
-  return figures::fragility_figure(data, results, page);
+  return figures::fragility_figure(
+      data,
+      fragility_curves(data, wanted_states(data, request.what),
+                       study::wanted_configurations(data, request.configurations), request.measure,
+                       request.method),
+      page);
 }
 
 /// A figure of demands.
@@ -256,7 +244,7 @@ struct PlotOptions {
   FigureFile figure;
   std::string font_size;
   study::UnitSystem units;
-  bool list = false, overwrite = false;
+  bool list = false;
 };
 
 /// Texts are laid out at 11 px, which is 8.25 pt where 96 px are an inch.
@@ -297,9 +285,9 @@ int plot(const PlotOptions& asked) {
   require(!options.request.kind.empty() && !options.figure.empty(),
           "a figure needs its kind and -o FILE.svg, .pdf or .png; gurney plot FILE --list lists "
           "what can be plotted");
-  options.figure.check(options.overwrite);
+  options.figure.check();
   const figures::PlotPage page = page_of(options);
-  options.figure.write(plotted(options.request, page), options.overwrite, false);
+  options.figure.write([&] { return plotted(options.request, page); }, false);
   return 0;
 }
 
@@ -320,7 +308,6 @@ void add_plot(Commands& commands) {
             "Histories, demands, limit states, what was hit, or which spectra "
             "(default: displacement, peak_displacement, all)");
         add("--list", options.list, "List what can be plotted from the file");
-        add("-o,--output FILE", options.figure.path, "The figure (.svg, .pdf or .png)");
         add("--run", options.request.run, "The run of a history (default: the first)");
         add.single("--configuration", options.request.configurations,
                    "Configurations (default: all)");
@@ -336,9 +323,8 @@ void add_plot(Commands& commands) {
         add("--job FILE", options.request.job,
             "The job file, of collisions and spectra (default: the path in the log)");
         add_units_option(add, options.units);
-        add_figure_style(add, options.figure);
+        add_figure_option(add, options.figure, "The figure", "-o,--output FILE");
         add("--font-size", options.font_size, "Size of the labels [pt] (default: 8.25)");
-        add("--overwrite", options.overwrite, "Replace a figure that exists");
       });
 }
 

@@ -20,22 +20,12 @@
 namespace gurney::cli {
 namespace {
 
-groundmotions::ProcessingStep step_of(const std::string& text) {
-  try {
-    config::Document document("processing = [" + inline_table("step", words_of(text)) + "]\n",
-                              "--step");
-    config::Table root = document.root();
-    const auto steps = groundmotions::read_processing_steps(root);
-    document.finish();
-    return steps.at(0);
-  } catch (const Error& error) {
-    throw Error(option_error("--step", text, "processing[0]", error.what()));
-  }
-}
-
 std::vector<groundmotions::ProcessingStep> steps_of(const RecordSource& source) {
   std::vector<groundmotions::ProcessingStep> steps;
-  for (const std::string& text : source.steps) steps.push_back(step_of(text));
+  for (const std::string& text : source.steps)
+    steps.push_back(read_option("--step", text, "processing[0]", "step", [](config::Table& root) {
+                      return groundmotions::read_processing_steps(root);
+                    }).at(0));
   return steps;
 }
 

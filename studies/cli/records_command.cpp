@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -7,14 +8,21 @@
 
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
+#include "engine/base/units.h"
+#include "engine/config/document.h"
+#include "groundmotions/formats/writers.h"
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/inline_table.h"
 #include "studies/cli/output.h"
 #include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/shared_options.h"
 #include "studies/figures/record_figures.h"
+#include "studies/job/scale_reader.h"
+#include "studies/render/wrapped.h"
 #include "studies/report/record_report.h"
+#include "studies/results/output_files.h"
 
 namespace gurney::cli {
 namespace {
@@ -67,7 +75,7 @@ int info(const InfoOptions& options) {
 int list(const InfoOptions& options) {
   if (options.json) return print_json(options);
   std::size_t count = 0;
-  const std::size_t width = report::table_width();
+  const std::size_t width = render::table_columns();
   std::vector<groundmotions::Refusal> refused;
   const int code =
       for_each_record(options.source, &refused,
@@ -100,8 +108,8 @@ struct RecordPlotOptions {
 int plot_records(const RecordPlotOptions& options) {
   const fs::path output = options.output;
   const bool one_file = names_a_file(output);
-  FigureFile file{options.figures, options.output};
-  if (one_file) file.check(options.overwrite);
+  FigureFile file{options.figures, options.output, options.overwrite};
+  if (one_file) file.check();
   options.figures.check();
   std::optional<NewFolder> folder;
   if (!one_file) folder.emplace(output);
@@ -113,7 +121,7 @@ int plot_records(const RecordPlotOptions& options) {
                 options.output + ": one figure for several records; name a folder with -o");
         if (!one_file)
           file.path = (output / (file_name(record.name) + options.figures.suffix())).string();
-        file.write(figures::record_figure(record), options.overwrite, false);
+        file.write([&] { return figures::record_figure(record); }, false);
       });
 }
 
@@ -171,6 +179,87 @@ int make(const MakeOptions& options) {
   return 0;
 }
 
+struct ConvertOptions {
+  RecordSource source;
+  std::string scale_to;  ///< empty: not scaled
+  std::string output, format = "csv";
+  bool overwrite = false;
+};
+
+struct Target {
+  fs::path path;
+  std::string text;
+};
+
+/// The name that a reader of AT2 files understands: an azimuth, UP, or the place.
+std::string at2_name(const groundmotions::Component& component,
+                     groundmotions::Direction direction) {
+  if (direction == groundmotions::Direction::kVertical) return "UP";
+  if (!component.azimuth) return direction == groundmotions::Direction::kH1 ? "H1" : "H2";
+  return fmt::format("{:03.0f}", *component.azimuth / kRadiansPerDegree);
+}
+
+std::vector<Target> targets(const groundmotions::Record& record, const fs::path& stem,
+                            const std::string& format) {
+  if (format == "csv") return {{stem.string() + ".csv", record_csv(record)}};
+  std::vector<Target> files;
+  for (const groundmotions::Direction direction : groundmotions::kDirections) {
+    if (!record[direction]) continue;
+    groundmotions::Component component = *record[direction];
+    component.name = at2_name(component, direction);
+    files.push_back({fmt::format("{}_{}.AT2", stem.string(), component.name),
+                     groundmotions::at2_text(component, "Converted by Gurney: " + record.name,
+                                             fs::path(component.file).filename().string())});
+  }
+  return files;
+}
+
+/// As in a job; the measure may stand first without its key.
+study::ScaleTo scale_to_of(const std::string& text) {
+  const std::string key = "measure=";
+  return read_option("--scale-to", text.starts_with(key) ? text.substr(key.size()) : text,
+                     "scale_to", "measure", [](config::Table& root) {
+                       auto table = root.table("scale_to");
+                       return table ? study::read_scale_to(*table) : study::ScaleTo{};
+                     });
+}
+
+int convert(const ConvertOptions& options) {
+  const fs::path output = options.output;
+  const bool one_file = names_a_file(output);
+  require(!one_file || options.format == "csv",
+          options.output + ": AT2 files hold one component each; name a folder with -o");
+  require(!one_file || output.extension() == ".csv",
+          options.output + ": must be a file that ends in .csv, or a folder");
+  std::optional<study::ScaleTo> scale_to;
+  if (!options.scale_to.empty()) scale_to = scale_to_of(options.scale_to);
+  std::optional<NewFolder> folder;
+  if (!one_file) folder.emplace(output);
+  study::OutputFiles files(options.overwrite);
+  std::vector<fs::path> written;
+  const int code = for_each_record(
+      options.source, nullptr,
+      [&](const groundmotions::SuiteRecord&, const groundmotions::Record& read) {
+        const groundmotions::Record record = scale_to ? study::scaled_to(read, *scale_to) : read;
+        require(!one_file || written.empty(),
+                options.output + ": one file for several records; name a folder with -o");
+        fs::path stem =
+            one_file ? fs::path(output).replace_extension() : output / file_name(record.name);
+        for (const Target& target : targets(record, stem, options.format)) {
+          require(std::ranges::find(written, target.path) == written.end(),
+                  fmt::format("{}: two records have this name", target.path.string()));
+          refuse_input_as_output(target.path.string(), record);
+          files.check(target.path.string());
+          files.stage(target.path.string(), target.text);
+          written.push_back(target.path);
+        }
+      });
+  const SignalsHeld until_written;
+  files.commit();
+  for (const fs::path& path : written) fmt::print("{}\n", path.string());
+  return code;
+}
+
 }  // namespace
 
 void add_records(Commands& commands) {
@@ -223,6 +312,23 @@ void add_records_make(Commands& commands) {
         add("--list", options.list, "Print the kinds, or the parameters of KIND");
         add("--json", options.json, "With --list: all kinds and parameters as JSON");
         add("--overwrite", options.overwrite, "Replace a file that exists");
+      });
+}
+
+void add_records_convert(Commands& commands) {
+  commands.add<ConvertOptions>(
+      {"convert", "Write records as Gurney's CSV or as AT2, processed on the way",
+       "gurney records convert groundmotions/records/synthetic_3c.csv -o filtered.csv \\\n"
+       "  --step \"band_pass corners_hz=[0.1,25]\""},
+      convert, [](Options& add, ConvertOptions& options) {
+        add_source_options(add, options.source);
+        add.required("-o,--output FILE", options.output, "A .csv file, or a folder");
+        add("--scale-to", options.scale_to,
+            "Scale each record, after its steps, such as \"Sa(1.0) component=RotD50 "
+            "value=0.6 unit=g vertical=kept\" (keys of scale_to in docs/formats/job_file.md)");
+        add("--format FORMAT", options.format, "csv or at2 (one file for each component)")
+            ->check(CLI::IsMember({"csv", "at2"}));
+        add("--overwrite", options.overwrite, "Replace files that exist");
       });
 }
 

@@ -9,11 +9,11 @@
 #include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/measures/peaks.h"
-#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
 #include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
+#include "studies/cli/shared_options.h"
 
 namespace gurney::cli {
 namespace {

@@ -1,20 +1,20 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "engine/base/units.h"
 #include "groundmotions/models/bssa14.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/output.h"
 
 namespace gurney::cli {
 namespace {
 
 using groundmotions::Faulting;
 using groundmotions::Prediction;
-using Json = nlohmann::ordered_json;
 
 const char* const kSource =
     "Boore, Stewart, Seyhan & Atkinson (2014), Earthquake Spectra 30(3), 1057-1085; RotD50";
@@ -32,30 +32,26 @@ struct ModelOptions {
   bool json = false;
 };
 
-Json prediction_json(const Prediction& p) {
-  return {{"median", p.median}, {"tau", p.tau}, {"phi", p.phi}, {"sigma", p.sigma()}};
+findings::Section& add_prediction(findings::Section& to, const Prediction& p) {
+  to.json("median", p.median).json("tau", p.tau);
+  return to.json("phi", p.phi).json("sigma", p.sigma());
 }
 
 int print_json(const ModelOptions& options) {
-  Json spectrum = Json::array(), correlation = Json::array();
-  for (const double period : options.periods) {
-    Json row = {{"period_s", period}};
-    row.update(prediction_json(bssa14_sa(options.scenario, period)));
-    if (period > 0) row["correlation_with_pgv"] = groundmotions::pgv_correlation(period);
-    spectrum.push_back(row);
-  }
+  findings::Section all, pgv("pgv_m_per_s");
+  all.json("source", kSource).json("left_out", kLeftOut);
+  all.add(add_prediction(pgv, bssa14_pgv(options.scenario)));
+  std::vector<findings::Numbers> correlation;
   for (const double a : options.periods) {
-    Json row = Json::array();
+    findings::Section row("sa_m_per_s2[]");
+    add_prediction(row.json("period_s", a), bssa14_sa(options.scenario, a));
+    if (a > 0) row.json("correlation_with_pgv", groundmotions::pgv_correlation(a));
+    all.add(std::move(row));
+    findings::Numbers& with = correlation.emplace_back();
     for (const double b : options.periods)
-      row.push_back(a > 0 && b > 0 ? Json(groundmotions::epsilon_correlation(a, b)) : Json());
-    correlation.push_back(row);
+      with.push_back(a > 0 && b > 0 ? groundmotions::epsilon_correlation(a, b) : std::nan(""));
   }
-  const Json result = {{"source", kSource},
-                       {"left_out", kLeftOut},
-                       {"pgv_m_per_s", prediction_json(bssa14_pgv(options.scenario))},
-                       {"sa_m_per_s2", spectrum},
-                       {"correlation", correlation}};
-  fmt::print("{}\n", result.dump(2));
+  print_findings(all.json("correlation", correlation), true);
   return 0;
 }
 

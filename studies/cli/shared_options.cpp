@@ -2,11 +2,54 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
 #include "engine/base/error.h"
+#include "engine/base/files.h"
+#include "engine/base/shell_word.h"
+#include "engine/config/document.h"
+#include "equipment/catalogue/catalogue.h"
+#include "groundmotions/formats/format.h"
 #include "studies/cli/output.h"
+#include "studies/limit_states/limit_state_reader.h"
 #include "studies/results/output_files.h"
 
 namespace gurney::cli {
+namespace {
+
+/// The signature of HDF5 (File Format Specification, section II.A).
+bool is_hdf5(const std::string& path) {
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  std::array<char, kSignature.size()> start{};
+  std::ifstream file(path, std::ios::binary);
+  return file.read(start.data(), start.size()) &&
+         std::string_view(start.data(), start.size()) == kSignature;
+}
+
+bool is_toml_or_json(const std::string& path) {
+  try {
+    config::Document unused(path);
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
+}
+
+bool is_record(const std::string& path) {
+  try {
+    const groundmotions::SourceFile file(path);
+    return std::ranges::any_of(groundmotions::formats(), [&](const groundmotions::Format& each) {
+      return each.is_binary != file.is_text() && each.recognises(file);
+    });
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
 
 void add_limit_state_options(Options& add, study::AssessmentRequest& request) {
   add.single("--limit-state CONDITION", request.limit_states,
@@ -39,13 +82,37 @@ CLI::Option* add_units_option(Options& add, study::UnitSystem& units, const char
       ->check(CLI::Validator(problem, fmt::format("{{{}}}", fmt::join(names, ","))));
 }
 
+std::vector<std::size_t> wanted_states(const study::StudyData& data,
+                                       const std::vector<std::string>& names) {
+  std::vector<std::size_t> wanted;
+  for (const std::string& name : names)
+    wanted.push_back(study::index_of(data.limit_states(), name));
+  for (std::size_t i = 0; names.empty() && i < data.limit_states().size(); ++i) wanted.push_back(i);
+  return wanted;
+}
+
+std::vector<study::FragilityResult> fragility_curves(const study::StudyData& data,
+                                                     const std::vector<std::size_t>& states,
+                                                     const std::vector<std::size_t>& configurations,
+                                                     const std::string& measure,
+                                                     const std::string& method) {
+  std::vector<study::FragilityResult> results;
+  for (const std::size_t state : states)
+    for (const std::size_t configuration : configurations)
+      results.push_back(study::fragility_of(data, {.state = state,
+                                                   .configuration = configuration,
+                                                   .measure = measure,
+                                                   .method = curve_method(method)}));
+  return results;
+}
+
 picture::Style FigureStyle::style() const {
   picture::Style style{.width_mm = {}, .grey = grey};
   if (!width.empty()) style.width_mm = picture::length_in_mm(width);
   return style;
 }
 
-void FigureFile::check(bool overwrite) const {
+void FigureFile::check() const {
   if (empty()) return;
   picture::format_of(path);
   style();
@@ -56,8 +123,8 @@ std::string FigureFile::bytes(const std::string& svg) const {
   return picture::written(svg, picture::format_of(path), style());
 }
 
-void FigureFile::write(const std::string& svg, bool overwrite, bool quiet) const {
-  write_output(path, bytes(svg), overwrite, quiet);
+void FigureFile::write(const std::function<std::string()>& draw, bool quiet) const {
+  if (!empty()) write_output(path, bytes(draw()), overwrite, quiet);
 }
 
 void NamedFigures::check() const {
@@ -76,15 +143,45 @@ void add_figure_style(Options& add, FigureStyle& style) {
   add("--grey", style.grey, "Grey and dashed lines instead of colours");
 }
 
-void add_figure_option(Options& add, FigureFile& file, const std::string& description) {
-  add("--figure FILE", file.path, description + " (.svg, .pdf or .png)");
+void add_figure_option(Options& add, FigureFile& file, const std::string& description,
+                       const std::string& names, const std::string& replaces) {
+  add(names, file.path, description + " (.svg, .pdf or .png)");
   add_figure_style(add, file);
+  add("--overwrite", file.overwrite, "Replace " + replaces);
 }
 
 void add_figure_format(Options& add, NamedFigures& figures) {
   add("--figure-format FORMAT", figures.format,
       "Format of the figures: svg, pdf or png (default: svg)");
   add_figure_style(add, figures);
+}
+
+std::string data_file(equipment::DataKind kind, const std::string& name,
+                      const std::string& option) {
+  try {
+    return equipment::find_data(kind, name, "");
+  } catch (const Error& error) {
+    throw Error(option + name + ": " + error.what());
+  }
+}
+
+std::filesystem::path results_file(const std::filesystem::path& path) {
+  require(path.extension() == ".h5",
+          path.string() + ": the results file must end in .h5 (-o FILE.h5)");
+  return path;
+}
+
+void require_job(const std::string& path, const std::string& command) {
+  if (!is_file(path)) return;  // the reader of jobs states why
+  const std::string name = shell_word(path);
+  require(!is_hdf5(path),
+          fmt::format("{}: is a results file; gurney {} takes a job. To see what it "
+                      "holds: gurney show {}",
+                      path, command, name));
+  require(is_toml_or_json(path) || !is_record(path),
+          fmt::format("{}: is the file of a record; gurney {} takes a job. To inspect it: gurney "
+                      "records info {}; for a job that uses it: gurney new job NAME --record {}",
+                      path, command, name, name));
 }
 
 }  // namespace gurney::cli

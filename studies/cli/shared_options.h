@@ -1,10 +1,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
 #include <string>
 
+#include "equipment/catalogue/catalogue.h"
 #include "studies/analysis/assessment.h"
-#include "studies/analysis/fitted_curve.h"
+#include "studies/analysis/fragility_result.h"
 #include "studies/cli/commands.h"
 #include "studies/picture/picture.h"
 #include "studies/units/unit_system.h"
@@ -34,6 +37,18 @@ inline study::CurveMethod curve_method(const std::string& method) {
   return method == "cloud" ? study::CurveMethod::kCloud : study::CurveMethod::kOwn;
 }
 
+/// Indices of limit states by their names; of all where none is named.
+std::vector<std::size_t> wanted_states(const study::StudyData& data,
+                                       const std::vector<std::string>& names);
+
+/// @param measure  empty: the study's own
+/// @param method   of --method
+std::vector<study::FragilityResult> fragility_curves(const study::StudyData& data,
+                                                     const std::vector<std::size_t>& states,
+                                                     const std::vector<std::size_t>& configurations,
+                                                     const std::string& measure,
+                                                     const std::string& method);
+
 /// How the figures of a command are written: options --width and --grey.
 struct FigureStyle {
   std::string width;  ///< as given: "85mm"; empty: the figure's own
@@ -46,17 +61,18 @@ struct FigureStyle {
 /// A figure that a command writes to a file the user names: option --figure.
 struct FigureFile : FigureStyle {
   std::string path;
+  bool overwrite = false;
 
   bool empty() const { return path.empty(); }
 
   /// To be called before anything is computed.
   /// @throws Error for a suffix or a width that is none, and unless the file can be written
-  void check(bool overwrite) const;
+  void check() const;
 
   std::string bytes(const std::string& svg) const;
 
-  /// Prints the name of the file unless `quiet`.
-  void write(const std::string& svg, bool overwrite, bool quiet) const;
+  /// Writes what `draw` returns, if a file is named, and prints its name unless `quiet`.
+  void write(const std::function<std::string()>& draw, bool quiet) const;
 };
 
 /// Figures to which a command gives names itself: option --figure-format.
@@ -70,7 +86,25 @@ struct NamedFigures : FigureStyle {
 };
 
 void add_figure_style(Options& add, FigureStyle& style);
-void add_figure_option(Options& add, FigureFile& file, const std::string& description);
+
+/// @param names     of the option that names the file
+/// @param replaces  with --overwrite
+void add_figure_option(Options& add, FigureFile& file, const std::string& description,
+                       const std::string& names = "--figure FILE",
+                       const std::string& replaces = "a figure that exists");
 void add_figure_format(Options& add, NamedFigures& figures);
+
+/// The file of an item or of other data on the command line: a name of the catalogue, or a path.
+/// @throws Error that begins with `option` and what was written
+std::string data_file(equipment::DataKind kind, const std::string& name,
+                      const std::string& option = "");
+
+/// The results file that a command writes. @throws Error unless it ends in .h5
+std::filesystem::path results_file(const std::filesystem::path& path);
+
+/// Refuses files that are often named in the place of a job, with the command that takes them.
+/// @param command  that wants a job
+/// @throws Error for a results file and for a file of a record
+void require_job(const std::string& path, const std::string& command);
 
 }  // namespace gurney::cli

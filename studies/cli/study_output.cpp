@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "engine/base/error.h"
-#include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
 #include "groundmotions/scaling/scale.h"
 #include "studies/analysis/overview.h"
 #include "studies/build_info/build_info.h"
+#include "studies/cli/output.h"
 #include "studies/cli/process.h"
 #include "studies/cli/run_command.h"
 #include "studies/report/overview_report.h"
@@ -125,24 +125,21 @@ void print_study(const study::Batch& batch, const fs::path& results, const Study
                  double runs_per_second, bool json, const study::UnitSystem& units) {
   const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
   const auto& [counts, factors] = summary;
-  if (json) {
-    findings::Section known;
-    known.json("results", results.string()).json("runs", counts.runs);
-    known.json("overturned", counts.overturned).json("failed", counts.failed);
-    known.json("untrusted", counts.untrusted).list("ranges_not_drawn", "", undrawn.lines());
-    if (factors.any()) known.add(report::scale_factor_findings(factors));
-    fmt::print("{}", render::json(known));
-    return;
-  }
-  fmt::print("runs     {}, {} overturned, {}\n", counts.runs, counts.overturned,
-             report::failed_runs(counts.failed, counts.untrusted));
-  if (runs_per_second > 0) fmt::print("speed    {:.1f} runs per second\n", runs_per_second);
-  if (factors.any()) fmt::print("scaling  factors {}\n", factors.text());
+  findings::Section known;
+  known.json("results", results.string()).json("runs", counts.runs);
+  known.json("overturned", counts.overturned).json("failed", counts.failed);
+  known.json("untrusted", counts.untrusted).list("ranges_not_drawn", "", undrawn.lines());
+  known.text("runs", fmt::format("{}, {} overturned, {}", counts.runs, counts.overturned,
+                                 report::failed_runs(counts.failed, counts.untrusted)));
+  if (runs_per_second > 0)
+    known.text("speed", fmt::format("{:.1f} runs per second", runs_per_second));
+  if (factors.any()) known.add(report::scale_factor_findings(factors));
   if (undrawn.parameters() > 0)
-    fmt::print("ranges   {} parameters with a range keep their values: gurney show lists them\n",
-               undrawn.parameters());
-  fmt::print("results  {}\n", printable(results.string()));
-  if (counts.runs <= kMaxRunsReadBack)
+    known.text("ranges",
+               fmt::format("{} parameters with a range keep their values: gurney show lists them",
+                           undrawn.parameters()));
+  print_findings(known.text("results", results.string()), json);
+  if (!json && counts.runs <= kMaxRunsReadBack)
     print_shares(study::study_overview(results.string(), {}, units));
 }
 

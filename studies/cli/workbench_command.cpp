@@ -13,10 +13,10 @@
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/data_folder.h"
-#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
-#include "studies/playback/channel.h"
+#include "studies/cli/shared_options.h"
+#include "studies/playback/page.h"
 #include "studies/prepare/run_job.h"
 #include "studies/results/output_files.h"
 

@@ -21,7 +21,7 @@
 #include "equipment/catalogue/data_folder.h"
 #include "studies/build_info/build_info.h"
 #include "studies/build_info/cpu_needs.h"
-#include "studies/picture/rendering.h"
+#include "studies/picture/picture.h"
 #include "studies/results/hdf5_version.h"
 #include "studies/run/run_batch.h"
 #include "studies/run/task_result.h"

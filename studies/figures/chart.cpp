@@ -23,8 +23,7 @@ std::size_t thin_out(Panel& panel, std::size_t most) {
     kept.y.clear();
     kept.runs.clear();
     for (std::size_t i = 0; i < each.x.size(); i += every) {
-      kept.x.push_back(each.x[i]);
-      kept.y.push_back(each.y[i]);
+      kept.add(each.x[i], each.y[i]);
       if (!each.runs.empty()) kept.runs.push_back(each.runs[i]);
     }
     each = std::move(kept);

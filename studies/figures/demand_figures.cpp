@@ -48,11 +48,8 @@ void add_fit(Panel& panel, const std::vector<statistics::CloudPoint>& points,
     const auto [low, high] = std::ranges::minmax(points, {}, &statistics::CloudPoint::im);
     for (const double im : {low.im, high.im}) {
       const double demand = std::exp(fit.a + fit.b * std::log(im));
-      curve.x.push_back(im);
-      curve.y.push_back(demand);
-      band.x.push_back(im);
-      band.low.push_back(demand * std::exp(-fit.sigma));
-      band.high.push_back(demand * std::exp(fit.sigma));
+      curve.add(im, demand);
+      band.add(im, demand * std::exp(-fit.sigma), demand * std::exp(fit.sigma));
     }
     panel.areas.push_back(std::move(band));
   }
@@ -71,8 +68,7 @@ Curve steps_of(const std::string& label, std::vector<double> demands, std::size_
     below += 1;
     curve.y.push_back(below / static_cast<double>(count));
   }
-  curve.x.push_back(right);
-  curve.y.push_back(below / static_cast<double>(count));
+  curve.add(right, below / static_cast<double>(count));
   return curve;
 }
 
@@ -117,13 +113,10 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Curve curve_of_ida(const study::IdaCurve& ida, const study::DemandRuns& runs) {
   Curve curve{"", {}, {}, {.stroke = "#b0b0b0", .width = 0.8}};
-  for (std::size_t i = 0; i < ida.im.size(); ++i) {
-    curve.x.push_back(ida.demand[i] / runs.unit.in_si);
-    curve.y.push_back(ida.im[i] / runs.measure_unit.in_si);
-  }
+  for (std::size_t i = 0; i < ida.im.size(); ++i)
+    curve.add(ida.demand[i] / runs.unit.in_si, ida.im[i] / runs.measure_unit.in_si);
   if (std::isfinite(ida.capacity)) {  // up to its mark
-    curve.x.push_back(curve.x.back());
-    curve.y.push_back(ida.capacity / runs.measure_unit.in_si);
+    curve.add(curve.x.back(), ida.capacity / runs.measure_unit.in_si);
   }
   return curve;
 }
@@ -138,13 +131,10 @@ Curve fractile_curve(const std::vector<study::IdaCurve>& curves, double fraction
     const double demand =
         study::fractile_at(curves, im * runs.measure_unit.in_si, fraction) / runs.unit.in_si;
     const bool flat = std::isinf(demand);
-    if (flat && !result.x.empty() && std::isfinite(result.x.back())) {
-      result.x.push_back(right);
-      result.y.push_back(result.y.back());
-    }
+    if (flat && !result.x.empty() && std::isfinite(result.x.back()))
+      result.add(right, result.y.back());
     if (flat) break;
-    result.x.push_back(std::isnan(demand) ? kNaN : demand);
-    result.y.push_back(im);
+    result.add(std::isnan(demand) ? kNaN : demand, im);
   }
   return result;
 }
@@ -162,8 +152,7 @@ Panel panel_of(const study::DemandRuns& runs, const study::DemandRuns::Configura
   for (const study::IdaCurve& each : curves) {
     panel.curves.push_back(curve_of_ida(each, runs));
     if (!std::isfinite(each.capacity)) continue;
-    overturned.x.push_back(each.demand.back() / runs.unit.in_si);
-    overturned.y.push_back(each.capacity / runs.measure_unit.in_si);
+    overturned.add(each.demand.back() / runs.unit.in_si, each.capacity / runs.measure_unit.in_si);
   }
   if (!curves.empty()) panel.curves.front().label = "one case";
   const std::pair<double, Pen> fractiles[] = {
@@ -192,8 +181,7 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
     const double im = run.im / runs.measure_unit.in_si;
     const double demand = run.demand / runs.unit.in_si;
     Marks& marks = run.overturned ? fell : stood;
-    marks.x.push_back(im + offset);
-    marks.y.push_back(run.overturned ? ceiling : demand);
+    marks.add(im + offset, run.overturned ? ceiling : demand);
     marks.runs.push_back(run.run);
     stripes[im].push_back(run.overturned ? std::numeric_limits<double>::infinity() : demand);
   }
@@ -209,12 +197,10 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
       const auto count = static_cast<double>(sorted.size());
       return sorted[static_cast<std::size_t>(std::min(count - 1, fraction * count))];
     };
-    median.x.push_back(im + offset);
-    median.y.push_back(at(0.5));
+    median.add(im + offset, at(0.5));
     if (std::isinf(at(0.16))) continue;
-    band.x.push_back(im + offset);
-    band.low.push_back(at(0.16));
-    band.high.push_back(std::min(at(0.84), 2 * ceiling));  // beyond the axes where they overturned
+    band.add(im + offset, at(0.16),
+             std::min(at(0.84), 2 * ceiling));  // beyond the axes where they overturned
   }
   panel.curves.push_back(std::move(median));
   panel.areas.push_back(std::move(band));
@@ -273,8 +259,7 @@ std::string cloud_figure(const PlotPage& page, const std::string& title,
       Marks exact{"", {}, {}, pen, marker(i), 2.6}, bounds{"", {}, {}, pen, Marker::kCross, 3};
       for (std::size_t k = 0; k < points.size(); ++k) {
         Marks& marks = points[k].known == Known::kExactly ? exact : bounds;
-        marks.x.push_back(points[k].im);
-        marks.y.push_back(points[k].edp);
+        marks.add(points[k].im, points[k].edp);
         marks.runs.push_back(runs.configurations[i].runs[k].run);
       }
       exact.name = bounds.name = runs.configurations[i].name;

@@ -66,9 +66,7 @@ struct Panels {
     const Curve& all = made.curves[0];
     for (std::size_t i = 0; i < all.x.size(); ++i) {
       if (all.x[i] < of.pulse->start || all.x[i] > of.pulse->end) continue;
-      pulse.x.push_back(all.x[i]);
-      pulse.low.push_back(std::min(all.y[i], 0.0));
-      pulse.high.push_back(std::max(all.y[i], 0.0));
+      pulse.add(all.x[i], std::min(all.y[i], 0.0), std::max(all.y[i], 0.0));
     }
     made.areas = {pulse};
     return made;

@@ -93,6 +93,11 @@ struct Curve {
   Pen pen;
   std::optional<Marker> key = {};  ///< of the marks that belong to it, for the legend
   double shift = 0;                ///< in x, which is no value: it keeps curves apart
+
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
 };
 
 /// Single points.
@@ -106,6 +111,11 @@ struct Marks {
   std::vector<std::size_t> runs = {};  ///< of which each is; empty: of none
   double shift = 0;                    ///< as of a curve
   bool only_x = false;                 ///< y is a place, no value
+
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
 };
 
 /// A line in a colour of palette().
@@ -123,10 +133,7 @@ Curve curve_of(const std::string& label, const X& x, const Y& y, const Pen& pen,
 template <class Rows, class At, class Get>
 Curve curve_over(const std::string& label, const Rows& rows, const Pen& pen, At at, Get get) {
   Curve curve{label, {}, {}, pen};
-  for (const auto& row : rows) {
-    curve.x.push_back(at(row));
-    curve.y.push_back(get(row));
-  }
+  for (const auto& row : rows) curve.add(at(row), get(row));
   return curve;
 }
 
@@ -135,6 +142,12 @@ struct Area {
   std::vector<double> x, low, high;
   std::string color;
   double opacity = 0.15;
+
+  void add(double at, double least, double most) {
+    x.push_back(at);
+    low.push_back(least);
+    high.push_back(most);
+  }
 };
 
 /// A horizontal bar of a panel of rows.

@@ -137,11 +137,10 @@ Panel diameter_panel(const Trials& trials) {
   for (std::size_t i = 0; i < floors.size(); ++i)
     panel.curves.push_back({floors[i], {}, {}, pen(i, 1.5)});
   Curve inverse{"as 1/R", {}, {}, {.stroke = "#666666", .width = 1.3, .dash = "5 4"}};
-  for (double diameter = diameters.low; diameter <= diameters.high; diameter += 1) {
-    inverse.x.push_back(diameter);
-    inverse.y.push_back(calibration::mean_resistance(*trials[0]->averages) * 2 *
-                        kMillimetersPerMeter * trials[0]->trial.setup.wheel_radius / diameter);
-  }
+  for (double diameter = diameters.low; diameter <= diameters.high; diameter += 1)
+    inverse.add(diameter, calibration::mean_resistance(*trials[0]->averages) * 2 *
+                              kMillimetersPerMeter * trials[0]->trial.setup.wheel_radius /
+                              diameter);
   panel.curves.push_back(inverse);
   // Trials of one diameter side by side: floors apart, and casters of other treads.
   for (const SimulatedTrial* trial : trials) {
@@ -470,8 +469,7 @@ std::string residual_figure(const PlotPage& page, const std::vector<ResidualRow>
     for (const ResidualRow::Trial& each : rows[row].trials) {
       const double x = 100 * (each.ratio - 1), half = 200 * each.error;
       Marks& marks = panel.marks[each.validation ? 1 : 0];
-      marks.x.push_back(x);
-      marks.y.push_back(middle);
+      marks.add(x, middle);
       panel.bars.push_back({middle, 0, {x - half, x + half}, {.stroke = marks.pen.stroke}});
       reach = std::max(reach, std::abs(x) + half);
     }

@@ -5,7 +5,7 @@
 
 #include "studies/calibration/fit/calibration.h"
 #include "studies/figures/chart.h"
-#include "studies/report/pulling_report.h"
+#include "studies/report/calibration_report.h"
 
 namespace gurney::figures {
 

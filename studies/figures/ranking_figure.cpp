@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "studies/figures/labels.h"
-#include "studies/figures/scene_figure.h"
+#include "studies/figures/plan_figures.h"
 
 namespace gurney::figures {
 namespace {

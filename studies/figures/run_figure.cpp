@@ -12,7 +12,7 @@
 #include "studies/figures/chart.h"
 #include "studies/figures/labels.h"
 #include "studies/figures/panel.h"
-#include "studies/figures/scene_figure.h"
+#include "studies/figures/plan_figures.h"
 #include "studies/results/names.h"
 #include "studies/units/unit_system.h"
 
@@ -194,8 +194,7 @@ Curve path_of(const PlacedItem& item, const std::vector<Sample>& history, const 
   Curve path{"path", {}, {}, pen};
   for (const Sample& sample : history) {
     const Vector2 origin = at(item, sample, Vector3::Zero());
-    path.x.push_back(origin.x());
-    path.y.push_back(origin.y());
+    path.add(origin.x(), origin.y());
   }
   return path;
 }

@@ -31,8 +31,7 @@ Curve change_of(const study::ConvergedNumber& number, const study::Convergence& 
   std::ranges::sort(steps);
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const double change = study::relative_change(steps[i].second, steps.front().second, 0);
-    curve.x.push_back(1e3 * steps[i].first);
-    curve.y.push_back(100 * std::max(kLeastChange, change));
+    curve.add(1e3 * steps[i].first, 100 * std::max(kLeastChange, change));
   }
   return curve;
 }
@@ -135,9 +134,9 @@ std::string tolerance_figure(const PlotPage& page, const std::vector<ToleranceRo
     for (std::size_t i = 0; i < rows[row].used.size(); ++i) {
       const double used = rows[row].used[i];
       Marks& marks = panel.marks[used <= 1 ? 0 : 1];
-      marks.x.push_back(std::isfinite(used) ? std::clamp(used, kLeast, highest) : highest);
-      marks.y.push_back(static_cast<double>(row) + 0.25 +
-                        0.5 * static_cast<double>(i % kLines) / (kLines - 1));
+      marks.add(
+          std::isfinite(used) ? std::clamp(used, kLeast, highest) : highest,
+          static_cast<double>(row) + 0.25 + 0.5 * static_cast<double>(i % kLines) / (kLines - 1));
     }
   }
   const double count = static_cast<double>(std::max<std::size_t>(1, rows.size()));

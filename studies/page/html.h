@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "studies/findings/findings.h"
+
 /// The report of a results file as one HTML page.
 namespace gurney::page {
 
@@ -42,5 +44,49 @@ std::string counted(std::size_t count, const std::string& what);
 
 /// Content that is folded away below a line of text.
 Html folded(std::string_view summary, const Html& content);
+
+/// A figure of the page.
+struct Drawing {
+  std::string name;  ///< unique on the page, of letters and dashes: also that of its file
+  std::string svg;   ///< as studies/figures draws it; of several pictures each becomes a figure
+  std::string caption;
+  std::string description;  ///< for those who do not see it
+};
+
+/// The SVG as part of the page, with a link that saves it.
+Html html(const Drawing& drawing);
+
+/// Figures in columns, as many as there is room for.
+Html side_by_side(const Html& figures);
+
+/// A part of the page with a heading, which the table of contents leads to.
+struct Section {
+  std::string id;  ///< of letters and dashes
+  std::string title;
+  Html content;
+};
+
+struct Document {
+  std::string title;
+  std::string subtitle;
+  std::vector<Section> sections;  ///< those without content are left out
+  std::string program;            ///< that wrote the page
+  bool again = false;             ///< loads itself again, since it is written again
+};
+
+/// The page, which needs no other file.
+std::string html(const Document& document);
+
+/// Findings as HTML; what has no label is left out, and a table without rows. A click on the title
+/// of a column sorts; the first column names the rows. Numbers are kept as they are, in SI.
+Html html(const findings::Section& section);
+Html html(const findings::Table& table);
+
+/// Cautions in a box, the rest of many folded away.
+Html caution_box(const findings::Texts& cautions);
+
+/// A part of a page for each section with a title within one.
+/// @param ids  of them
+std::vector<Section> sections_of(const findings::Section& findings, const findings::Texts& ids);
 
 }  // namespace gurney::page

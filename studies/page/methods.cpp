@@ -30,6 +30,10 @@ constexpr const char* kSaltelli =
     "Saltelli, A. et al. (2010). Variance based sensitivity analysis of model output. Computer "
     "Physics Communications 181(2), 259-270.";
 
+/// Sentences for the methods of a paper, and the publications that they name.
+struct Methods {
+  std::vector<std::string> sentences, sources;
+};
 std::string program_of(const StudyPage& page) {
   const study::FileOverview& file = page.overview.file;
   std::string what = "Equipment";
@@ -175,8 +179,6 @@ std::string step_of(const study::StudyOverview& overview) {
                      check.runs == 1 ? "was" : "were");
 }
 
-}  // namespace
-
 Methods methods_of(const StudyPage& page) {
   const study::StudyOverview& overview = page.overview;
   Methods methods;
@@ -194,6 +196,8 @@ Methods methods_of(const StudyPage& page) {
   methods.sentences.push_back(step_of(overview));
   return methods;
 }
+
+}  // namespace
 
 Section study_methods(const StudyPage& page) {
   const Methods methods = methods_of(page);

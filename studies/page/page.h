@@ -2,10 +2,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "engine/run/run.h"
+#include "engine/scene/scene.h"
 #include "studies/analysis/assessment.h"
 #include "studies/explanation/facts.h"
 #include "studies/findings/findings.h"
+#include "studies/results/study_reader.h"
 #include "studies/units/unit_system.h"
 
 namespace gurney::page {
@@ -26,5 +30,20 @@ struct PageRequest {
 /// The report of a results file, or of the JSON of a calibration or a verification, as one HTML page.
 /// @throws Error unless it is one of these, and as StudyData does
 std::string results_page(const PageRequest& request);
+
+/// What stood where in a job, read again with the catalogue of today.
+struct JobScene {
+  Scene scene;
+  RunOptions settings;
+  std::vector<std::string> changed = {};  ///< data files that are not as the study read them
+};
+
+/// The scene of the job that a results file keeps; of a study that of a
+/// configuration.
+/// @param job  path of the job's file, for relative names; empty: beside the results
+/// @throws Error where the job names what is not there any more
+JobScene scene_of_study(const study::StudyReader& file, const std::string& job,
+                        std::size_t configuration = 0);
+JobScene scene_of_run(const study::Hdf5Reader& file, const std::string& job);
 
 }  // namespace gurney::page

@@ -7,9 +7,8 @@
 #include "engine/base/error.h"
 #include "studies/analysis/configuration_view.h"
 #include "studies/analysis/suite_spectra.h"
-#include "studies/figures/spectra_figure.h"
-#include "studies/page/drawing.h"
-#include "studies/page/findings_html.h"
+#include "studies/figures/record_figures.h"
+#include "studies/page/html.h"
 #include "studies/page/study_page.h"
 
 namespace gurney::page {

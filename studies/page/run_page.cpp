@@ -1,5 +1,3 @@
-#include "studies/page/run_page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,13 +7,10 @@
 #include "engine/base/error.h"
 #include "studies/explanation/words.h"
 #include "studies/figures/explanation_figure.h"
-#include "studies/figures/history_figure.h"
 #include "studies/figures/labels.h"
-#include "studies/figures/spectra_figure.h"
-#include "studies/figures/trajectory_figure.h"
-#include "studies/page/drawing.h"
-#include "studies/page/file_table.h"
-#include "studies/page/findings_html.h"
+#include "studies/figures/plan_figures.h"
+#include "studies/figures/record_figures.h"
+#include "studies/page/html.h"
 #include "studies/page/study_page.h"
 #include "studies/report/explanation_report.h"
 #include "studies/report/overview_report.h"
@@ -24,6 +19,99 @@
 
 namespace gurney::page {
 namespace {
+
+using findings::Cell;
+using findings::Table;
+using findings::Value;
+
+struct GroupColumn {
+  std::string name;
+  findings::Column head;
+  std::vector<Value> values;
+  bool text = false;
+};
+
+/// Values that mean "none": of times -1, of numbers NaN.
+Value value_of(const study::Hdf5Dataset& dataset, double value) {
+  if (dataset.units == "s" && value == -1) return {};
+  return dataset.type == "int64" ? Value(static_cast<std::int64_t>(value)) : Value(value);
+}
+
+std::vector<GroupColumn> columns_of(const study::Hdf5Reader& file, const std::string& group,
+                                    const study::UnitSystem& units,
+                                    const std::vector<std::string>& first) {
+  std::vector<GroupColumn> columns;
+  const std::string before = "/" + group + "/";
+  for (const study::Hdf5Dataset& dataset : file.datasets()) {
+    if (!dataset.path.starts_with(before) || dataset.shape.size() != 1) continue;
+    const std::string name = dataset.path.substr(before.size());
+    if (name == "row" || name == "run") continue;
+    const bool text = dataset.type == "string";
+    const study::ReportUnit unit = units.of(text ? "1" : dataset.units);
+    GroupColumn column{name,
+                       {"",
+                        figures::with_unit(figures::label_of(name), unit),
+                        {".4g", "", unit.in_si},
+                        dataset.long_name},
+                       {},
+                       text};
+    if (text)
+      for (const std::string& each : file.strings(dataset.path)) column.values.emplace_back(each);
+    else
+      for (const double each : file.numbers(dataset.path))
+        column.values.push_back(value_of(dataset, each));
+    columns.push_back(std::move(column));
+  }
+  std::ranges::stable_sort(columns, {}, [&](const GroupColumn& column) {
+    return std::ranges::find(first, column.name) - first.begin();
+  });
+  return columns;
+}
+
+/// A group of columns of a results file as a table: every column but the row and the run, titles
+/// with units, meanings where one points. No rows where the file does not have the group.
+/// @param first  columns that come first, in this order; the others by name
+Table table_of_group(const study::Hdf5Reader& file, const std::string& group,
+                     const std::string& caption, const std::vector<std::string>& first,
+                     const study::UnitSystem& units) {
+  const std::vector<GroupColumn> columns = columns_of(file, group, units, first);
+  Table table{"", caption, {}};
+  for (const GroupColumn& column : columns) {
+    table.columns.push_back(column.head);
+    table.rows.resize(column.values.size());
+    for (std::size_t row = 0; row < column.values.size(); ++row)
+      table.rows[row].emplace_back(column.values[row]);
+  }
+  // Columns as long as the shortest.
+  std::erase_if(table.rows, [&](const auto& row) { return row.size() != columns.size(); });
+  return table;
+}
+
+/// The same with a row for each column of numbers, and a column for each row, which the column
+/// `name` names; empty: the group has one row. Quantities without a value in any column are left out.
+/// @param first  quantities that come first, in this order; the others by name
+Table turned_table_of_group(const study::Hdf5Reader& file, const std::string& group,
+                            const std::string& caption, const std::string& name,
+                            const study::UnitSystem& units,
+                            const std::vector<std::string>& first = {}) {
+  const std::vector<GroupColumn> columns = columns_of(file, group, units, first);
+  Table table{"", caption, {{"", "Quantity"}}};
+  for (const GroupColumn& column : columns)
+    if (column.name == name)
+      for (const Value& each : column.values) table.columns.push_back({"", written(each, {})});
+  if (name.empty()) table.columns.push_back({"", "Value"});
+  table.columns.push_back({"", "Meaning"});
+  for (const GroupColumn& column : columns) {
+    if (column.text || column.values.size() + 2 != table.columns.size() ||
+        std::ranges::all_of(column.values, &Value::is_missing))
+      continue;
+    std::vector<Cell> row{column.head.label};
+    for (const Value& each : column.values) row.emplace_back(each, column.head.format);
+    row.emplace_back(column.head.meaning);
+    table.add(std::move(row));
+  }
+  return table;
+}
 
 /// What the page of one run is made of.
 struct RunFile {

@@ -7,10 +7,10 @@
 #include "studies/analysis/fragility_result.h"
 #include "studies/analysis/overview.h"
 #include "studies/analysis/stored_histories.h"
-#include "studies/page/document.h"
-#include "studies/page/job_scene.h"
+#include "studies/analysis/study_data.h"
+#include "studies/page/html.h"
 #include "studies/page/page.h"
-#include "studies/report/sensitivity_report.h"
+#include "studies/report/study_report.h"
 
 namespace gurney::page {
 
@@ -55,17 +55,28 @@ Section assumptions_section(const study::FileOverview& file,
 Section provenance_section(const study::FileOverview& file, const std::string& job_text,
                            const Html& more);
 
-/// Sentences for the methods of a paper, and the publications that they name.
-struct Methods {
-  std::vector<std::string> sentences, sources;
-};
-Methods methods_of(const StudyPage& page);
-
-/// Curves of the limit states that have one.
-Html figure_of_curves(const StudyPage& page);
-
 /// The scene from above, unless it is one item on a bare floor, and a drawing of each kind of item.
 Html scene_drawings(const JobScene& scene, const std::string& title,
                     const study::UnitSystem& units);
+
+/// The page of the results file of one run.
+Document run_document(const PageRequest& request);
+
+/// A column of the table of all runs: numbers, or indices of texts.
+struct CaseColumn {
+  std::string title;  ///< with its unit
+  study::ReportUnit unit{"1", 1};
+  bool whole = false;
+  std::vector<std::string> texts = {};  ///< not empty: values are their indices
+  std::vector<double> values = {};      ///< SI, for each run; NaN: none
+};
+
+/// The run itself first; demands are the largest over the items. Columns with one value for all
+/// runs are left out, but for the outcome.
+std::vector<CaseColumn> case_columns(const study::StudyData& data);
+
+/// As JSON that may stand in a page, with each number as the file has it.
+/// @param replay  the command that re-runs a case, but for its number
+std::string case_json(const std::vector<CaseColumn>& columns, const std::string& replay);
 
 }  // namespace gurney::page

@@ -13,6 +13,7 @@ std::string escaped(std::string text) {
 }  // namespace
 
 std::string markdown(const findings::Table& table) {
+  if (table.rows.empty()) return {};
   std::string titles = "|", rule = "|", rows;
   for (const findings::Column& column : table.columns)
     if (!column.label.empty()) {

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
+#include "engine/base/units.h"
 #include "studies/build_info/build_info.h"
 #include "studies/calibration/trials/setup_reader.h"
+#include "studies/calibration/trials/trial.h"
 #include "studies/report/formats.h"
 
 namespace gurney::report {
@@ -24,151 +26,140 @@ const std::string& name_in(const Texts& names, Choice choice) {
 }
 
 Table constants_table(const calibration::Calibration& c) {
-  Table table{"constants",
-              "Constants",
-              {{"constant", "constant"},
-               {"name", ""},
-               {"symbol", ""},
-               {"unit", "unit"},
-               {"caster", ""},
-               {"floor", ""},
-               {"against", ""},
-               {"value", "value", kFour},
-               {"interval_95", "95 % interval", interval_format(kFour),
-                "confidence interval by Student's t"},
-               {"scatter_of_logarithm",
-                "scatter",
-                {".1f", "%", 0.01},
-                "standard deviation of the logarithm between trials"},
-               {"", "trials"},
-               {"prediction_95", "95 % of one more trial", interval_format(kFour)},
-               {"lower_bound", ""},
-               {"degrees", ""},
-               {"trials", ""}}};
+  Table table{"constants", "Constants", {}};
   for (const calibration::Constant& each : c.constants)
-    table.add({each.about(), std::string(name_of(each.kind)),
-               std::string(calibration::symbol_of(each.kind)),
-               std::string(calibration::unit_of(each.kind)), each.caster, each.floor, each.against,
-               each.value, ends(each.interval), each.scatter, Value(), ends(each.prediction),
-               each.at_least, each.degrees, each.trials});
+    add_row(table, {{{"constant", "constant"}, each.about()},
+                    {"name", std::string(name_of(each.kind))},
+                    {"symbol", std::string(calibration::symbol_of(each.kind))},
+                    {{"unit", "unit"}, std::string(calibration::unit_of(each.kind))},
+                    {"caster", each.caster},
+                    {"floor", each.floor},
+                    {"against", each.against},
+                    {{"value", "value", kFour}, each.value},
+                    {{"interval_95", "95 % interval", interval_format(kFour),
+                      "confidence interval by Student's t"},
+                     ends(each.interval)},
+                    {{"scatter_of_logarithm",
+                      "scatter",
+                      {".1f", "%", 0.01},
+                      "standard deviation of the logarithm between trials"},
+                     each.scatter},
+                    {{"", "trials"}, Value()},
+                    {{"prediction_95", "95 % of one more trial", interval_format(kFour)},
+                     ends(each.prediction)},
+                    {"lower_bound", each.at_least},
+                    {"degrees", each.degrees},
+                    {"trials", each.trials}});
   return table;
 }
 
 Table trials_table(const calibration::Calibration& c) {
-  Table table{"trial_files",
-              "Trials",
-              {{"trial", "trial"},
-               {"kind", "kind"},
-               {"use", "use"},
-               {"origin", "origin"},
-               {"caster", "caster"},
-               {"floor", "floor"},
-               {"against", "against"},
-               {"mass_kg", "mass", {".5g", "kg"}},
-               {"sha256", "SHA-256"},
-               {"file", "file"},
-               {"line", ""},
-               {"excluded", "excluded"}}};
+  Table table{"trial_files", "Trials", {}};
   for (const calibration::ReadTrial& t : c.trials)
-    table.add({t.name, name_in(calibration::names_of_kinds(), t.kind),
-               name_in(calibration::names_of_uses(), t.setup.use),
-               name_in(calibration::names_of_origins(), t.setup.origin), t.setup.caster,
-               t.setup.floor, t.setup.against, t.setup.mass > 0 ? Value(t.setup.mass) : Value(),
-               t.sha256, t.file, t.line == 0 ? Value() : Value(t.line),
-               t.excluded.empty() ? Value() : Value(t.excluded)});
+    add_row(table,
+            {{{"trial", "trial"}, t.name},
+             {{"kind", "kind"}, name_in(calibration::names_of_kinds(), t.kind)},
+             {{"use", "use"}, name_in(calibration::names_of_uses(), t.setup.use)},
+             {{"origin", "origin"}, name_in(calibration::names_of_origins(), t.setup.origin)},
+             {{"caster", "caster"}, t.setup.caster},
+             {{"floor", "floor"}, t.setup.floor},
+             {{"against", "against"}, t.setup.against},
+             {{"mass_kg", "mass", {".5g", "kg"}}, t.setup.mass > 0 ? Value(t.setup.mass) : Value()},
+             {{"sha256", "SHA-256"}, t.sha256},
+             {{"file", "file"}, t.file},
+             {"line", t.line == 0 ? Value() : Value(t.line)},
+             {{"excluded", "excluded"}, t.excluded.empty() ? Value() : Value(t.excluded)}});
   table.most = 0;
   return table;
 }
 
 Table values_table(const calibration::Calibration& c) {
-  Table table{"values",
-              "Values of the trials, and residuals",
-              {{"trial", "trial"},
-               {"constant", "constant"},
-               {"use", "use"},
-               {"value", "value", kFour},
-               {"standard_error", "standard error", kTwo, "of the measurement"},
-               {"lower_bound", ""},
-               {"", "residual", kPercent, "value over the constant, less one"},
-               {"", "standardized", kThree,
-                "logarithm of value over constant, over its standard deviation: scatter and "
-                "error"}}};
+  Table table{"values", "Values of the trials, and residuals", {}};
   for (const calibration::TrialValue& v : c.values)
-    table.add({v.trial, v.constant(), name_in(calibration::names_of_uses(), v.setup.use), v.value,
-               v.error, v.at_least, Value(), Value()});
+    add_row(table, {{{"trial", "trial"}, v.trial},
+                    {{"constant", "constant"}, v.constant()},
+                    {{"use", "use"}, name_in(calibration::names_of_uses(), v.setup.use)},
+                    {{"value", "value", kFour}, v.value},
+                    {{"standard_error", "standard error", kTwo, "of the measurement"}, v.error},
+                    {"lower_bound", v.at_least},
+                    {{"", "residual", kPercent, "value over the constant, less one"}, Value()},
+                    {{"", "standardized", kThree,
+                      "logarithm of value over constant, over its standard deviation: scatter and "
+                      "error"},
+                     Value()}});
   table.most = 0;
   return table;
 }
 
 Table pulls_table(const calibration::Calibration& c) {
-  Table table{"pulls",
-              "Pulls",
-              {{"trial", "trial"},
-               {"caster", ""},
-               {"floor", ""},
-               {"normal_force_n", "normal force", {".4g", "N"}},
-               {"pull_force_n", "pull force", {".4g", "N"}},
-               {"pull_acceleration_mps2", "a2", {".4g", "m/s2"}, "acceleration while pulled"},
-               {"coast_deceleration_mps2", "a3", {".4g", "m/s2"}, "deceleration while coasting"},
-               {"resistance_pulled_n", "f_r pulled", {".4g", "N"}},
-               {"resistance_coasting_n", "f_r coasting", {".4g", "N"}},
-               {"resistance_n", "f_r", {".4g", "N"}, "mean of both, weighted by their errors"},
-               {"resistance_error_n", "standard error", {".4g", "N"}}}};
+  Table table{"pulls", "Pulls", {}};
   for (const calibration::RollingTrial& t : c.rolling) {
     const calibration::TrialAverages& a = t.averages;
-    table.add({a.name, a.setup.caster, a.setup.floor, calibration::normal_force(a.setup),
-               a.pull_force, a.pull_acceleration, a.coast_deceleration, t.resistance.pulled,
-               t.resistance.coasting, t.resistance.mean, t.resistance.mean_error});
+    add_row(table,
+            {{{"trial", "trial"}, a.name},
+             {"caster", a.setup.caster},
+             {"floor", a.setup.floor},
+             {{"normal_force_n", "normal force", {".4g", "N"}}, calibration::normal_force(a.setup)},
+             {{"pull_force_n", "pull force", {".4g", "N"}}, a.pull_force},
+             {{"pull_acceleration_mps2", "a2", {".4g", "m/s2"}, "acceleration while pulled"},
+              a.pull_acceleration},
+             {{"coast_deceleration_mps2", "a3", {".4g", "m/s2"}, "deceleration while coasting"},
+              a.coast_deceleration},
+             {{"resistance_pulled_n", "f_r pulled", {".4g", "N"}}, t.resistance.pulled},
+             {{"resistance_coasting_n", "f_r coasting", {".4g", "N"}}, t.resistance.coasting},
+             {{"resistance_n", "f_r", {".4g", "N"}, "mean of both, weighted by their errors"},
+              t.resistance.mean},
+             {{"resistance_error_n", "standard error", {".4g", "N"}}, t.resistance.mean_error}});
   }
   table.most = 0;
   return table;
 }
 
 Table tests_table(const calibration::Calibration& c) {
-  Table table{"tests",
-              "Does rolling resistance depend on it?",
-              {{"name", "on"},
-               {"quantity", "estimated"},
-               {"estimate", "estimate", kThree},
-               {"interval_95", "95 % interval", interval_format(kFour)},
-               {"supposed", "supposed", kThree, "by f_r = (Cr / R) N"},
-               {"p", "p", kTwo},
-               {"p_adjusted", "p of all tests", kTwo, "adjusted for their number (Holm 1979)"},
-               {"p_no_influence", "p of no influence", kTwo},
-               {"trials", ""},
-               {"", "result"}}};
+  Table table{"tests", "Does rolling resistance depend on it?", {}};
   for (const calibration::RollingTest& t : c.tests)
-    table.add({t.name, t.quantity, t.estimate, ends(t.interval), t.supposed, t.p, t.p_adjusted,
-               t.p_without, t.trials, Value()});
+    add_row(table,
+            {{{"name", "on"}, t.name},
+             {{"quantity", "estimated"}, t.quantity},
+             {{"estimate", "estimate", kThree}, t.estimate},
+             {{"interval_95", "95 % interval", interval_format(kFour)}, ends(t.interval)},
+             {{"supposed", "supposed", kThree, "by f_r = (Cr / R) N"}, t.supposed},
+             {{"p", "p", kTwo}, t.p},
+             {{"p_adjusted", "p of all tests", kTwo, "adjusted for their number (Holm 1979)"},
+              t.p_adjusted},
+             {{"p_no_influence", "p of no influence", kTwo}, t.p_without},
+             {"trials", t.trials},
+             {{"", "result"}, Value()}});
   return table;
 }
 
 Table crosswise_table(const calibration::Calibration& c) {
-  Table table{"crosswise",
-              "Crosswise pulls",
-              {{"trial", "trial"},
-               {"friction_times_width_m", "mu w", millimetres(".3g")},
-               {"swivel_torque_over_load_m", "mu w/4 + T/N", millimetres(".4g"),
-                "scrub and swivel friction together"},
-               {"swivel_torque_over_load_error_m", "standard error", millimetres(".1g")},
-               {"rolling_resistance", "Cr/R", kFour},
-               {"correlation_with_rolling_resistance", "correlation with Cr/R", kTwo},
-               {"misfit_m", "misfit", millimetres(".2g"),
-                "root mean square of the residuals of displacement"}}};
+  Table table{"crosswise", "Crosswise pulls", {}};
   for (const calibration::CrosswiseFit& f : c.crosswise)
-    table.add({f.trial, f.friction_times_width, f.torque_length, f.torque_length_error,
-               f.resistance, f.correlation, f.misfit});
+    add_row(
+        table,
+        {{{"trial", "trial"}, f.trial},
+         {{"friction_times_width_m", "mu w", millimetres(".3g")}, f.friction_times_width},
+         {{"swivel_torque_over_load_m", "mu w/4 + T/N", millimetres(".4g"),
+           "scrub and swivel friction together"},
+          f.torque_length},
+         {{"swivel_torque_over_load_error_m", "standard error", millimetres(".1g")},
+          f.torque_length_error},
+         {{"rolling_resistance", "Cr/R", kFour}, f.resistance},
+         {{"correlation_with_rolling_resistance", "correlation with Cr/R", kTwo}, f.correlation},
+         {{"misfit_m", "misfit", millimetres(".2g"),
+           "root mean square of the residuals of displacement"},
+          f.misfit}});
   return table;
 }
 
 Table outliers_table(const calibration::Calibration& c) {
-  Table table{"outliers",
-              "Outliers (kept: examine the trial, then decide)",
-              {{"trial", "trial"},
-               {"constant", "constant"},
-               {"value", "value", kFour},
-               {"p_adjusted", "p", kTwo}}};
-  for (const calibration::Outlier& o : c.outliers) table.add({o.trial, o.constant, o.value, o.p});
+  Table table{"outliers", "Outliers (kept: examine the trial, then decide)", {}};
+  for (const calibration::Outlier& o : c.outliers)
+    add_row(table, {{{"trial", "trial"}, o.trial},
+                    {{"constant", "constant"}, o.constant},
+                    {{"value", "value", kFour}, o.value},
+                    {{"p_adjusted", "p", kTwo}, o.p}});
   return table;
 }
 
@@ -189,7 +180,7 @@ Table validation_table(const calibration::Calibration& c) {
 }
 
 Table excluded_table(const calibration::Calibration& c) {
-  Table table{"left_out", "", {{"file", ""}, {"line", ""}, {"reason", ""}}};
+  Table table{"left_out", "", json_columns({"file", "line", "reason"})};
   for (const calibration::TrialFault& f : c.left_out) table.add({f.file, f.line, f.reason});
   return table;
 }
@@ -289,6 +280,164 @@ Texts cautions_of(const Section& all) {
   return texts;
 }
 
+constexpr const char* kNote =
+    "simulated: verifies the method on signals whose input is known; reproduces no measured "
+    "finding";
+
+const Format kBias{"+.2f", "%", 0.01}, kSpread{".2f", "%", 0.01}, kMilliseconds{".4g", "ms", 1e-3};
+
+Table bias_table(const PullingReport& report) {
+  Table table{"bias",
+              "f_r by the paper's method minus f_r of the input, % of it: mean and standard "
+              "deviation over trials",
+              {}};
+  for (const calibration::AlignmentBias& row : calibration::bias_by_alignment(report.trials))
+    add_row(table, {{{"alignment", "alignment"}, name_of(row.alignment)},
+                    {{"trials", "trials"}, row.trials},
+                    {{"pulled.mean", "phase II", kBias}, row.pulled.mean},
+                    {{"pulled.standard_deviation", "+-", kSpread}, row.pulled.deviation},
+                    {{"coasting.mean", "phase III", kBias}, row.coasting.mean},
+                    {{"coasting.standard_deviation", "+-", kSpread}, row.coasting.deviation},
+                    {{"both.mean", "of both", kBias}, row.mean.mean},
+                    {{"both.standard_deviation", "+-", kSpread}, row.mean.deviation}});
+  return table;
+}
+
+Table pooled_table(const PullingReport& report) {
+  Table table{"pooled",
+              "Cr/R of pooled trials minus that of the input, % of it: fit through the origin",
+              {}};
+  for (const calibration::PooledBias& row : calibration::pooled_biases(report.trials))
+    add_row(table, {{{"trials", "trials"}, row.trials},
+                    {{"both", "both phases", kBias}, row.both},
+                    {{"coasting", "phase III", kBias}, row.coasting},
+                    {{"of", "of"}, row.trials_of}});
+  return table;
+}
+
+Table casters_table(const PullingReport& report) {
+  Table table{"casters", "Cr/R of aligned trials", {}};
+  for (const calibration::CasterFit& fit : calibration::fits_by_caster(report.trials))
+    add_row(table, {{{"caster", "caster"}, fit.caster},
+                    {"wheel_radius_m", fit.wheel_radius},
+                    {{"trials", "aligned"}, fit.trials},
+                    {{"cr_over_r_found", "Cr/R found", {".5f"}}, fit.found},
+                    {{"cr_over_r_known", "input", {".5f"}}, fit.known},
+                    {{"", "difference", kBias}, fit.found / fit.known - 1}});
+  return table;
+}
+
+bool is_aligned(const calibration::SimulatedTrial& trial) {
+  return trial.alignment == calibration::Alignment::kAligned;
+}
+
+/// Every trial, for programs.
+Table trials_table(const PullingReport& report) {
+  Table table{"trials", "", {}};
+  const auto known = [](bool is_there, const Value& value) { return is_there ? value : Value(); };
+  for (const calibration::SimulatedTrial& trial : report.trials) {
+    const bool phased = trial.phases.has_value(), found = trial.averages.has_value(),
+               aligned = is_aligned(trial);
+    const calibration::Phases phases = trial.phases.value_or(calibration::Phases{});
+    const calibration::Resistance resistance =
+        found ? calibration::average_method(*trial.averages) : calibration::Resistance{};
+    const calibration::TheoryError error = calibration::theory_error(trial);
+    const auto found_driven = calibration::driven_error(trial, report.measured);
+    const bool driven = found_driven.has_value();
+    const auto of = found_driven.value_or(calibration::DrivenError{});
+    add_row(table, {{"run", trial.run},
+                    {"configuration", trial.configuration},
+                    {"caster", trial.trial.setup.caster},
+                    {"floor", trial.trial.setup.floor},
+                    {"alignment", name_of(trial.alignment)},
+                    {"solver", trial.solver},
+                    {"time_step_s", trial.time_step},
+                    {"normal_force_n", trial.theory.normal_force},
+                    {"resistance_known_n", trial.theory.resistance},
+                    {"left_flooring", trial.left_flooring},
+                    {"phases.start_s", known(phased, phases.start)},
+                    {"phases.release_s", known(phased, phases.release)},
+                    {"phases.stop_s", known(phased, phases.stop)},
+                    {"phases.end", known(phased, name_of(phases.end))},
+                    {"resistance_pulled_n", known(found, resistance.pulled)},
+                    {"resistance_coasting_n", known(found, resistance.coasting)},
+                    {"fault", known(!found, trial.fault)},
+                    {"error_at_release", known(aligned, error.release)},
+                    {"error_at_rest", known(aligned, error.rest)},
+                    {"driven_by.trial", known(driven, trial.driven_by)},
+                    {"driven_by.error_at_release", known(driven, of.release)},
+                    {"driven_by.error_of_speed", known(driven, of.speed)},
+                    {"driven_by.error_at_rest", known(driven, of.rest)},
+                    {"driven_by.largest_difference_m", known(driven, of.largest)}});
+  }
+  return table;
+}
+
+Table theory_table(const PullingReport& report) {
+  Table table{"",
+              "aligned trials against the closed form: error of the displacement (-: left the "
+              "flooring)",
+              {{"", "run"},
+               {"", "solver"},
+               {"", "step", kMilliseconds},
+               {"", "at release", kBias},
+               {"", "at rest", kBias},
+               {"", "configuration"}}};
+  for (const calibration::SimulatedTrial& trial : report.trials) {
+    if (!is_aligned(trial)) continue;
+    const calibration::TheoryError error = calibration::theory_error(trial);
+    table.add(
+        {trial.run, trial.solver, trial.time_step, error.release, error.rest, trial.configuration});
+  }
+  return table;
+}
+
+Table driven_table(const PullingReport& report) {
+  Table table{"",
+              "simulated under the force of a given trial, for its duration, minus that trial: "
+              "displacement and speed at release, displacement at rest (-: left the flooring); "
+              "largest difference of the displacement",
+              {}};
+  for (const calibration::SimulatedTrial& trial : report.trials)
+    if (const auto error = calibration::driven_error(trial, report.measured))
+      add_row(table, {{{"", "run"}, trial.run},
+                      {{"", "solver"}, trial.solver},
+                      {{"", "step", kMilliseconds}, trial.time_step},
+                      {{"", "at release", kBias}, error->release},
+                      {{"", "speed", kBias}, error->speed},
+                      {{"", "at rest", kBias}, error->rest},
+                      {{"", "largest", {".1f", "mm", 1e-3}}, error->largest},
+                      {{"", "trial"}, trial.driven_by}});
+  return table;
+}
+
+Table measured_table(const PullingReport& report) {
+  Table table{"measured", "given trials", {}};
+  for (const calibration::MeasuredTrial& each : report.measured) {
+    findings::Texts runs;
+    for (const calibration::SimulatedTrial& trial : report.trials)
+      if (calibration::find_matching(trial, report.measured) == &each)
+        runs.push_back(std::to_string(trial.run));
+    const double n = calibration::normal_force(each.trial.setup);
+    const Value f =
+        each.fault.empty() ? Value(calibration::mean_resistance(*each.averages)) : Value();
+    add_row(
+        table,
+        {{{"name", "given trial"}, each.trial.name},
+         {{"origin", "origin"},
+          calibration::names_of_origins()[static_cast<std::size_t>(each.trial.setup.origin)]},
+         {{"resistance_n", "f_r", {".2f", "N"}}, f},
+         {{"normal_force_n", "N", {".0f", "N"}}, n},
+         {{"", "f_r/N", {".5f"}}, each.fault.empty() ? Value(std::get<double>(f) / n) : Value()},
+         {{"", "like run"},
+          !each.fault.empty() ? "not used"
+          : runs.empty()      ? "none"
+                              : fmt::format("{}", fmt::join(runs, ", "))},
+         {"fault", each.fault.empty() ? Value() : Value(each.fault)}});
+  }
+  return table;
+}
+
 }  // namespace
 
 Section calibration_facts(const calibration::Calibration& c,
@@ -305,10 +454,11 @@ Section calibration_facts(const calibration::Calibration& c,
   diagnostics.add(tests_table(c)).add(crosswise_table(c)).add(outliers_table(c));
   validation.add(validation_table(c));
   validation.list("validation_without_constant", "Without a constant", c.unpredicted);
-  Table written{"caster_files",
-                "Files",
-                {{"file", "file"}, {"calibrated", "keys from trials"}, {"text", ""}}};
-  for (const calibration::CasterFile& f : casters) written.add({f.name, f.calibrated, f.text});
+  Table written{"caster_files", "Files", {}};
+  for (const calibration::CasterFile& f : casters)
+    add_row(written, {{{"file", "file"}, f.name},
+                      {{"calibrated", "keys from trials"}, f.calibrated},
+                      {"text", f.text}});
   files.add(std::move(written)).list("without_caster_file", "No caster file for", without);
   const build_info::BuildInfo build = build_info::build_info();
   provenance.fact("program_version", "gurney", build.program_version);
@@ -354,6 +504,30 @@ Section calibration_findings(Section all) {
                              "identifiable at one load."
                            : "");
   }
+  return all;
+}
+
+std::string noise_words(const PullingReport& report) {
+  if (!report.noise) return "";
+  return fmt::format("synthetic noise of {:g} mm and {:g} N (standard deviations), seed {}",
+                     kMillimetersPerMeter * calibration::kDisplacementNoise,
+                     calibration::kForceNoise, *report.noise);
+}
+
+Section pulling_findings(const PullingReport& report) {
+  Section all("", report.title);
+  all.json("file", report.file).json("note", kNote);
+  all.say(fmt::format("{} trials of {}", report.trials.size(), report.file)).say(kNote);
+  if (report.noise) all.json("noise", noise_words(report)).say(noise_words(report));
+  all.add(bias_table(report)).add(pooled_table(report)).add(casters_table(report));
+  all.add(trials_table(report)).add(theory_table(report));
+  all.add(measured_table(report)).add(driven_table(report));
+  for (const calibration::MeasuredTrial& each : report.measured)
+    if (!each.fault.empty()) all.say("not used: " + each.fault);
+  for (const calibration::SimulatedTrial& trial : report.trials)
+    if (!trial.averages)
+      all.say(
+          fmt::format("excluded: run {} ({}): {}", trial.run, trial.configuration, trial.fault));
   return all;
 }
 

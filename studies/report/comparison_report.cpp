@@ -89,13 +89,15 @@ Section pairing(const study::StudyComparison& found) {
 
 Table differences(const char* key, const char* title, const std::vector<study::InputDifference>& of,
                   const ComparisonReport& report) {
-  Table table{key,
-              title,
-              {{"key", "key"}, {"a", ""}, {"b", ""}, {"", report.label_a}, {"", report.label_b}}};
+  Table table{key, title, {}};
   const auto value = [](const std::string& text) { return text.empty() ? Value() : Value(text); };
   const auto shown = [](const std::string& text) { return text.empty() ? "(not there)" : text; };
   for (const study::InputDifference& each : of)
-    table.add({each.key, value(each.a), value(each.b), shown(each.a), shown(each.b)});
+    add_row(table, {{{"key", "key"}, each.key},
+                    {"a", value(each.a)},
+                    {"b", value(each.b)},
+                    {{"", report.label_a}, shown(each.a)},
+                    {{"", report.label_b}, shown(each.b)}});
   return table;
 }
 
@@ -128,45 +130,31 @@ std::string label(const study::ComparedQuantity& row, const study::UnitSystem& u
 Table quantities(const ComparisonReport& report, Kind kind, const char* key, const char* title) {
   const study::UnitSystem& units = report.units();
   const Format p{".2g"};
-  Table table{key,
-              "",
-              {{"", title},
-               {"name", ""},
-               {"words", ""},
-               {"units", ""},
-               {"groups", "groups"},
-               {"a", report.label_a},
-               {"b", report.label_b},
-               {"difference", ""},
-               {"", "difference"},
-               {"interval", ""},
-               {"", fmt::format("{:g} % interval", 100 * report.confidence)},
-               {"p", "p", p},
-               {"p_holm", "Holm", p},
-               {"", "*"}}};
+  Table table{key, "", {}};
   for (const study::ComparedQuantity& row : report.found.quantities) {
     if (row.kind != kind) continue;
     const Format number = format_of(units, row.units),
                  interval = interval_format(format_of(units, row.units, ".3g"));
     const double size = std::max(std::abs(row.a), std::abs(row.b));
     const bool known = std::isfinite(row.interval.low);
-    table.add({label(row, units),
-               row.name,
-               row.words,
-               units.or_else("si").of(row.units).name,
-               row.groups,
-               {row.a, number},
-               {row.b, number},
-               {row.difference, number},
-               {rounded(row.difference, size), number},
-               {ends(row.interval), interval},
-               {known ? Value(findings::Numbers{rounded(row.interval.low, size),
-                                                rounded(row.interval.high, size)})
-                      : Value("unknown"),
-                interval},
-               row.p,
-               row.p_holm,
-               mark(row.p_holm)});
+    add_row(table, {{{"", title}, label(row, units)},
+                    {"name", row.name},
+                    {"words", row.words},
+                    {"units", units.or_else("si").of(row.units).name},
+                    {{"groups", "groups"}, row.groups},
+                    {{"a", report.label_a}, {row.a, number}},
+                    {{"b", report.label_b}, {row.b, number}},
+                    {"difference", {row.difference, number}},
+                    {{"", "difference"}, {rounded(row.difference, size), number}},
+                    {"interval", {ends(row.interval), interval}},
+                    {{"", fmt::format("{:g} % interval", 100 * report.confidence)},
+                     {known ? Value(findings::Numbers{rounded(row.interval.low, size),
+                                                      rounded(row.interval.high, size)})
+                            : Value("unknown"),
+                      interval}},
+                    {{"p", "p", p}, row.p},
+                    {{"p_holm", "Holm", p}, row.p_holm},
+                    {{"", "*"}, mark(row.p_holm)}});
   }
   return table;
 }

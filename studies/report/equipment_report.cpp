@@ -15,6 +15,7 @@
 #include "equipment/catalogue/room_description.h"
 #include "equipment/catalogue/tether_type.h"
 #include "groundmotions/buildings/building.h"
+#include "studies/report/formats.h"
 
 namespace gurney::report {
 namespace {
@@ -75,13 +76,11 @@ Section stability(const EquipmentFacts& facts) {
            rolls ? fmt::format("10 deg in transport: {}; 5 deg otherwise: {}",
                                met(tilt, kTransportTilt), met(tilt, kOtherTilt))
                  : fmt::format("5 deg of what is not mobile: {}", met(tilt, kOtherTilt)));
-  Table tilts{"tilts",
-              "",
-              {{"direction_rad", "tilt towards", kWholeDegrees},
-               {"as_placed_rad", rolls ? "as placed" : "overturns", kDegrees},
-               {"worst_rad", rolls ? "at worst" : "", kDegrees}}};
+  Table tilts{"tilts", "", {}};
   for (const equipment::TiltTowards& t : sheet.tilts)
-    tilts.add({t.direction, t.as_placed, t.worst});
+    add_row(tilts, {{{"direction_rad", "tilt towards", kWholeDegrees}, t.direction},
+                    {{"as_placed_rad", rolls ? "as placed" : "overturns", kDegrees}, t.as_placed},
+                    {{"worst_rad", rolls ? "at worst" : "", kDegrees}, t.worst}});
   all.add(std::move(tilts));
   return all.say("0 deg is forward (x), 90 deg to the left (y)");
 }
@@ -106,24 +105,21 @@ Section feet(const EquipmentFacts& facts) {
 }
 
 Table wheels(const EquipmentFacts& facts) {
-  Table table{"wheels",
-              "wheels at rest",
-              {{"caster", "caster"},
-               {"contact_m", "x, y", kMillimetres},
-               {"load_n", "load", {".1f", "N"}},
-               {"sink_m", "sink", {".2f", "mm", 1 / kMillimetersPerMeter}},
-               {"", "state"},
-               {"swivels", ""},
-               {"braked", ""},
-               {"swivel_locked", ""}}};
+  Table table{"wheels", "wheels at rest", {}};
   for (std::size_t i = 0; i < facts.sheet.wheels.size(); ++i) {
     const equipment::WheelAtRest& wheel = facts.sheet.wheels[i];
     const Caster& caster = facts.model.casters[i];
     const bool braked = caster.brake_torque > 0, locked = caster.swivel_lock_torque > 0;
-    table.add({wheel.caster, wheel.contact, wheel.load, wheel.sink,
-               std::string(caster.swivels ? "swivels" : "rigid") + (braked ? ", braked" : "") +
-                   (locked ? ", swivel locked" : ""),
-               caster.swivels, braked, locked});
+    add_row(table, {{{"caster", "caster"}, wheel.caster},
+                    {{"contact_m", "x, y", kMillimetres}, wheel.contact},
+                    {{"load_n", "load", {".1f", "N"}}, wheel.load},
+                    {{"sink_m", "sink", {".2f", "mm", 1 / kMillimetersPerMeter}}, wheel.sink},
+                    {{"", "state"},
+                     std::string(caster.swivels ? "swivels" : "rigid") +
+                         (braked ? ", braked" : "") + (locked ? ", swivel locked" : "")},
+                    {"swivels", caster.swivels},
+                    {"braked", braked},
+                    {"swivel_locked", locked}});
   }
   return table;
 }
@@ -153,7 +149,7 @@ Section motion(const EquipmentFacts& facts) {
 void add_assumptions(Section& to, const std::vector<equipment::Assumption>& all, bool one_by_one) {
   to.say(fmt::format("{} of the parameters in use are assumptions{}", all.size(),
                      one_by_one ? ":" : " (--assumptions lists them)"));
-  Table table{"assumptions", "", {{"key", ""}, {"value", ""}, {"range", ""}, {"reason", ""}}};
+  Table table{"assumptions", "", json_columns({"key", "value", "range", "reason"})};
   findings::Texts lines;
   for (const equipment::Assumption& a : all) {
     const bool number = a.choice.empty();
@@ -172,102 +168,89 @@ using findings::Table;
 constexpr double kMillimetre = 1 / kMillimetersPerMeter;
 
 Table items() {
-  Table table{"items",
-              "",
-              {{"key", "item"},
-               {"name", "name"},
-               {"mass_kg", "mass", {".1f", "kg"}},
-               {"height_m", "height", {".0f", "mm", kMillimetre}},
-               {"base_over_height", "b/h", {".2f"}},
-               {"tilt_rad", "tilt", {".1f", "deg", kRadiansPerDegree}},
-               {"casters", "casters"},
-               {"assumptions", "assumptions"}}};
+  Table table{"items", "", {}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kItem)) {
     const equipment::LoadedItem item =
         equipment::load_item(equipment::find_data(equipment::DataKind::kItem, key, ""));
     const equipment::ItemSheet sheet =
         equipment::item_sheet(as_rigid(item), equipment::floor_contact(item));
-    table.add({key, item.model.name, sheet.whole.mass, sheet.size.z(),
-               sheet.stability.base / sheet.stability.height, sheet.stability.tilt,
-               item.model.casters.size(), item.assumptions.size()});
+    add_row(table,
+            {{{"key", "item"}, key},
+             {{"name", "name"}, item.model.name},
+             {{"mass_kg", "mass", {".1f", "kg"}}, sheet.whole.mass},
+             {{"height_m", "height", {".0f", "mm", kMillimetre}}, sheet.size.z()},
+             {{"base_over_height", "b/h", {".2f"}}, sheet.stability.base / sheet.stability.height},
+             {{"tilt_rad", "tilt", {".1f", "deg", kRadiansPerDegree}}, sheet.stability.tilt},
+             {{"casters", "casters"}, item.model.casters.size()},
+             {{"assumptions", "assumptions"}, item.assumptions.size()}});
   }
   return table;
 }
 
 Table casters() {
-  Table table{"casters",
-              "",
-              {{"key", "caster"},
-               {"name", ""},
-               {"wheel_radius_m", "wheel", {".0f", "mm", kMillimetre / 2}},
-               {"height_m", "height", {".0f", "mm", kMillimetre}},
-               {"trail_m", "trail", {".1f", "mm", kMillimetre}},
-               {"", "Cr / R", {".4f"}},
-               {"rolling_resistance_m", ""},
-               {"static_friction", "friction mu_s", {".2f"}},
-               {"brake_torque_n_m", "brake", {".3g", "N m"}}}};
+  Table table{"casters", "", {}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kCaster)) {
     const equipment::CasterType type =
         equipment::load_caster_type(equipment::find_data(equipment::DataKind::kCaster, key, ""))
             .stated();
     const Caster& c = type.properties;
-    table.add({key, type.name, c.wheel_radius, c.height, c.trail,
-               c.tread.rolling_friction_length / c.wheel_radius, c.tread.rolling_friction_length,
-               c.tread.static_friction, type.brake_torque});
+    add_row(table, {{{"key", "caster"}, key},
+                    {"name", type.name},
+                    {{"wheel_radius_m", "wheel", {".0f", "mm", kMillimetre / 2}}, c.wheel_radius},
+                    {{"height_m", "height", {".0f", "mm", kMillimetre}}, c.height},
+                    {{"trail_m", "trail", {".1f", "mm", kMillimetre}}, c.trail},
+                    {{"", "Cr / R", {".4f"}}, c.tread.rolling_friction_length / c.wheel_radius},
+                    {"rolling_resistance_m", c.tread.rolling_friction_length},
+                    {{"static_friction", "friction mu_s", {".2f"}}, c.tread.static_friction},
+                    {{"brake_torque_n_m", "brake", {".3g", "N m"}}, type.brake_torque}});
   }
   return table;
 }
 
 Table floors() {
-  Table table{"floors",
-              "",
-              {{"key", "floor covering"},
-               {"name", "name"},
-               {"rolling_resistance_factor", "factor on Cr", {".2f"}},
-               {"friction_factor", "on friction", {".2f"}}}};
+  Table table{"floors", "", {}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kFloor)) {
     const equipment::FloorCovering floor =
         equipment::load_floor_covering(equipment::find_data(equipment::DataKind::kFloor, key, ""))
             .stated();
-    table.add({key, floor.name, floor.rolling_resistance_factor, floor.friction_factor});
+    add_row(table, {{{"key", "floor covering"}, key},
+                    {{"name", "name"}, floor.name},
+                    {{"rolling_resistance_factor", "factor on Cr", {".2f"}},
+                     floor.rolling_resistance_factor},
+                    {{"friction_factor", "on friction", {".2f"}}, floor.friction_factor}});
   }
   return table;
 }
 
 Table rooms() {
-  Table table{"rooms",
-              "",
-              {{"key", "room"},
-               {"name", "name"},
-               {"shapes", "shapes"},
-               {"zones", "zones"},
-               {"points", "points"},
-               {"assumptions", ""}}};
+  Table table{"rooms", "", {}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kRoom)) {
     equipment::RoomNames names;
     equipment::Uncertain<equipment::RoomDescription> model;
     const std::string name = equipment::load_room(
         equipment::find_data(equipment::DataKind::kRoom, key, ""), names, model);
     const equipment::RoomDescription& room = model.stated();
-    table.add({key, name, room.shapes.size(), room.zones.size(), room.points.size(),
-               room.assumptions.size()});
+    add_row(table, {{{"key", "room"}, key},
+                    {{"name", "name"}, name},
+                    {{"shapes", "shapes"}, room.shapes.size()},
+                    {{"zones", "zones"}, room.zones.size()},
+                    {{"points", "points"}, room.points.size()},
+                    {"assumptions", room.assumptions.size()}});
   }
   return table;
 }
 
 Table tethers() {
-  Table table{"tethers",
-              "",
-              {{"key", "tether"},
-               {"name", "name"},
-               {"axial_stiffness_n", "EA", {"g", "N"}},
-               {"damping_n_s_per_m", ""},
-               {"strength_n", "strength", {"g", "N"}}}};
+  Table table{"tethers", "", {}};
   for (const std::string& key : equipment::catalogue_names(equipment::DataKind::kTether)) {
     const equipment::TetherType type =
         equipment::load_tether_type(equipment::find_data(equipment::DataKind::kTether, key, ""))
             .stated();
-    table.add({key, type.name, type.axial_stiffness, type.damping, type.strength});
+    add_row(table, {{{"key", "tether"}, key},
+                    {{"name", "name"}, type.name},
+                    {{"axial_stiffness_n", "EA", {"g", "N"}}, type.axial_stiffness},
+                    {"damping_n_s_per_m", type.damping},
+                    {{"strength_n", "strength", {"g", "N"}}, type.strength}});
   }
   return table;
 }

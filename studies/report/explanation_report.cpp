@@ -40,20 +40,10 @@ bool belongs(const Event& event, const Explanation& of) {
 
 void add_events(const Explanation& of, Section& all) {
   constexpr std::size_t kMost = 40;
-  Table events{"events",
-               "",
-               {{"time_s", ""},
-                {"kind", ""},
-                {"item", ""},
-                {"part", ""},
-                {"value", ""},
-                {"resolution_s", ""},
-                {"uplift.casters", ""},
-                {"uplift.most_at_once", ""},
-                {"uplift.together_s", ""},
-                {"uplift.longest_of_one_s", ""},
-                {"uplift.longest_of", ""},
-                {"text", ""}}};
+  Table events{"events", "",
+               json_columns({"time_s", "kind", "item", "part", "value", "resolution_s",
+                             "uplift.casters", "uplift.most_at_once", "uplift.together_s",
+                             "uplift.longest_of_one_s", "uplift.longest_of", "text"})};
   findings::List lines{"", "What happened", {}, kMost, true};
   for (const Event& event : of.events) {
     const std::string words = explanation::sentence(event, of.units);
@@ -154,60 +144,35 @@ Section margins(const Explanation& of) {
 }
 
 Table items_table(const Explanation& of) {
-  Table table{"items",
-              "",
-              {{"name", ""},
-               {"finding", ""},
-               {"mass_kg", ""},
-               {"height_of_center_of_mass_m", ""},
-               {"peak_displacement_m", ""},
-               {"time_of_peak_displacement_s", ""},
-               {"residual_displacement_m", ""},
-               {"peak_velocity_m_per_s", ""},
-               {"tilt.tilt_rad", ""},
-               {"tilt.critical_rad", ""},
-               {"tilt.ratio", ""},
-               {"tilt.time_s", ""},
-               {"tilt.direction_rad", ""},
-               {"tilt.time_passed_s", ""},
-               {"grip.demand_n", ""},
-               {"grip.grip_n", ""},
-               {"grip.time_s", ""},
-               {"grip.time_exceeded_s", ""},
-               {"grip.peak_demand_n", ""},
-               {"grip.braked", ""},
-               {"first_caster_lifted", ""},
-               {"time_of_lift_s", ""},
-               {"first_braked_caster_skidded", ""},
-               {"time_of_skid_s", ""}}};
+  Table table{"items", "", {}};
   for (const ItemFacts& item : of.items) {
     const auto tilt = [&](const Value& value) { return item.tilt.tilt > 0 ? value : Value(); };
     const auto of_grip = [&](const Value& value) { return item.on_floor ? value : Value(); };
     const GripMargin& grip = item.grip;
-    table.add({item.name,
-               name_of(item.finding),
-               item.mass,
-               item.height_of_center_of_mass,
-               item.peak_displacement,
-               item.time_of_peak_displacement,
-               item.residual_displacement,
-               item.peak_velocity,
-               tilt(item.tilt.tilt),
-               tilt(item.tilt.critical),
-               tilt(item.tilt.ratio()),
-               tilt(item.tilt.time),
-               tilt(item.tilt.direction),
-               tilt(time_of(item.tilt.time_passed)),
-               of_grip(grip.demand),
-               of_grip(grip.grip),
-               of_grip(grip.time),
-               of_grip(time_of(grip.time_exceeded)),
-               of_grip(grip.peak_demand),
-               of_grip(grip.braked),
-               text_of(item.first_lifted),
-               time_of(item.time_of_lift),
-               text_of(item.first_skidded),
-               time_of(item.time_of_skid)});
+    add_row(table, {{"name", item.name},
+                    {"finding", name_of(item.finding)},
+                    {"mass_kg", item.mass},
+                    {"height_of_center_of_mass_m", item.height_of_center_of_mass},
+                    {"peak_displacement_m", item.peak_displacement},
+                    {"time_of_peak_displacement_s", item.time_of_peak_displacement},
+                    {"residual_displacement_m", item.residual_displacement},
+                    {"peak_velocity_m_per_s", item.peak_velocity},
+                    {"tilt.tilt_rad", tilt(item.tilt.tilt)},
+                    {"tilt.critical_rad", tilt(item.tilt.critical)},
+                    {"tilt.ratio", tilt(item.tilt.ratio())},
+                    {"tilt.time_s", tilt(item.tilt.time)},
+                    {"tilt.direction_rad", tilt(item.tilt.direction)},
+                    {"tilt.time_passed_s", tilt(time_of(item.tilt.time_passed))},
+                    {"grip.demand_n", of_grip(grip.demand)},
+                    {"grip.grip_n", of_grip(grip.grip)},
+                    {"grip.time_s", of_grip(grip.time)},
+                    {"grip.time_exceeded_s", of_grip(time_of(grip.time_exceeded))},
+                    {"grip.peak_demand_n", of_grip(grip.peak_demand)},
+                    {"grip.braked", of_grip(grip.braked)},
+                    {"first_caster_lifted", text_of(item.first_lifted)},
+                    {"time_of_lift_s", time_of(item.time_of_lift)},
+                    {"first_braked_caster_skidded", text_of(item.first_skidded)},
+                    {"time_of_skid_s", time_of(item.time_of_skid)}});
   }
   return table;
 }
@@ -216,23 +181,21 @@ Table items_table(const Explanation& of) {
 
 Table energy_table(const Explanation& of) {
   findings::Format energy = format_of(of.units.of("J"), 1, ".2f");
-  Table table{"energy",
-              of.failed ? "" : fmt::format("Energy of {} since the start", of.item().name),
-              {{"stage", "stage"},
-               {"time_s", "time", {".2f", "s"}},
-               {"work_of_floor_j", "floor", energy},
-               {"work_of_others_j", "loads", energy},
-               {"kinetic_j", "kinetic", energy},
-               {"potential_j", "height", energy},
-               {"friction_j", "friction", energy},
-               {"rolling_j", "rolling", energy},
-               {"impacts_j", "impacts", energy},
-               {"elastic_j", ""},
-               {"other_loss_j", ""},
-               {"", "other", energy}}};
+  Table table{
+      "energy", of.failed ? "" : fmt::format("Energy of {} since the start", of.item().name), {}};
   for (const Stage& s : of.stages)
-    table.add({s.name, s.time, s.floor_work, s.other_work, s.kinetic, s.potential, s.friction,
-               s.rolling, s.impacts, s.elastic, s.other_loss, s.elastic + s.other_loss});
+    add_row(table, {{{"stage", "stage"}, s.name},
+                    {{"time_s", "time", {".2f", "s"}}, s.time},
+                    {{"work_of_floor_j", "floor", energy}, s.floor_work},
+                    {{"work_of_others_j", "loads", energy}, s.other_work},
+                    {{"kinetic_j", "kinetic", energy}, s.kinetic},
+                    {{"potential_j", "height", energy}, s.potential},
+                    {{"friction_j", "friction", energy}, s.friction},
+                    {{"rolling_j", "rolling", energy}, s.rolling},
+                    {{"impacts_j", "impacts", energy}, s.impacts},
+                    {"elastic_j", s.elastic},
+                    {"other_loss_j", s.other_loss},
+                    {{"", "other", energy}, s.elastic + s.other_loss}});
   return table;
 }
 

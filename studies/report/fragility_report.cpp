@@ -102,8 +102,8 @@ void add_capacities(const study::FragilityResult& result, double unit, Section& 
   of.json("records", result.records).json("analysis_cases", result.brackets.size());
   of.json("censored", result.capacities->censored);
   of.json("resurrections", result.capacities->resurrections);
-  findings::Table brackets{
-      "brackets", "", {{"record", ""}, {"above", ""}, {"at_most", ""}, {"resurrections", ""}}};
+  findings::Table brackets{"brackets", "",
+                           json_columns({"record", "above", "at_most", "resurrections"})};
   for (const statistics::Capacity& each : result.brackets)
     brackets.add({each.group, each.low / unit, each.high / unit, each.resurrections});
   all.add(std::move(of.add(std::move(brackets))));
@@ -166,8 +166,7 @@ Section json_of(const study::FragilityResult& result, const study::UnitSystem& u
   if (result.p_of_fit) all.json("p_of_fit", *result.p_of_fit);
   if (!result.fit_is_judged)
     all.json("fit_not_judged", "several runs of a record at one intensity are not independent");
-  findings::Table stripes{
-      "stripes", "", {{"im", ""}, {"runs", ""}, {"exceeded", ""}, {"isotonic", ""}}};
+  findings::Table stripes{"stripes", "", json_columns({"im", "runs", "exceeded", "isotonic"})};
   for (std::size_t i = 0; i < result.stripes.size(); ++i)
     stripes.add({result.stripes[i].im / in_si, result.stripes[i].runs, result.stripes[i].exceeded,
                  result.isotonic[i]});
@@ -310,7 +309,7 @@ Section json_of(const study::VectorResult& result, const Units& units) {
   } else {
     of.json("plane", {});
   }
-  findings::Table alone{"alone", "", {{"theta", ""}, {"beta", ""}, {"log_likelihood", ""}}};
+  findings::Table alone{"alone", "", json_columns({"theta", "beta", "log_likelihood"})};
   for (const std::size_t i : {0, 1}) {
     const statistics::FragilityFit& each = result.alone[i];
     alone.add({each.curve ? Value(each.curve->theta / units[i].in_si) : Value(), beta_of(each),

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxLines = 20;
 
 Section records(const study::FileOverview& file) {
   Section all;
-  Table table{"records", "", {{"name", ""}, {"files", ""}, {"warnings", ""}}};
+  Table table{"records", "", json_columns({"name", "files", "warnings"})};
   List lines{"", fmt::format("{} records", file.motions.size()), {}, kMaxLines};
   for (const auto& motion : file.motions) {
     table.add({motion.name, motion.files, motion.warnings});
@@ -46,28 +46,26 @@ Section distributions(const char* key, const char* name, bool ratios,
                       const std::vector<study::StepDistribution>& of) {
   Section all;
   const Format number{".3g"}, ends_of = interval_format(number);
-  Table table{key,
-              "",
-              {{name, ratios ? "demand" : "limit state"},
-               {"records", "records"},
-               {"mean_at_step", ratios ? "" : "P at the step", number},
-               {"mean_at_half_step", ratios ? "" : "P at half of it", number},
-               {"difference", ratios ? "" : "difference", number},
-               {"", ratios ? "median at half the step over that at the step" : "", number},
-               {"", "95 % interval", ends_of},
-               {"low", ""},
-               {"high", ""},
-               {"p", ""}}};
+  Table table{key, "", {}};
   for (const study::StepDistribution& each : of) {
     const auto& interval = each.of.interval;
     const bool bounded = each.of.pairs > 1;
     const auto bound = [&](double value) { return bounded ? Value(value) : Value(); };
-    table.add({each.name, each.of.pairs, each.of.mean_a, each.of.mean_b, each.of.difference,
-               std::exp(each.of.difference),
-               !bounded ? Value()
-               : ratios ? Value(findings::Numbers{std::exp(interval.low), std::exp(interval.high)})
-                        : ends(interval),
-               bound(interval.low), bound(interval.high), each.of.p_permutation});
+    add_row(table,
+            {{{name, ratios ? "demand" : "limit state"}, each.name},
+             {{"records", "records"}, each.of.pairs},
+             {{"mean_at_step", ratios ? "" : "P at the step", number}, each.of.mean_a},
+             {{"mean_at_half_step", ratios ? "" : "P at half of it", number}, each.of.mean_b},
+             {{"difference", ratios ? "" : "difference", number}, each.of.difference},
+             {{"", ratios ? "median at half the step over that at the step" : "", number},
+              std::exp(each.of.difference)},
+             {{"", "95 % interval", ends_of},
+              !bounded ? Value()
+              : ratios ? Value(findings::Numbers{std::exp(interval.low), std::exp(interval.high)})
+                       : ends(interval)},
+             {"low", bound(interval.low)},
+             {"high", bound(interval.high)},
+             {"p", each.of.p_permutation}});
   }
   return all.add(std::move(table));
 }
@@ -111,13 +109,13 @@ findings::Section assumption_findings(const study::FileOverview& file) {
               fmt::format("{} parameter{} without a source, with a value, a range in which it may "
                           "lie, and the reason for both",
                           file.assumptions.size(), file.assumptions.size() == 1 ? "" : "s"),
-              {{"key", "parameter"},
-               {"value", "value"},
-               {"range", "range"},
-               {"reason", "reason"},
-               {"file", "data file"}}};
+              {}};
   for (const auto& each : file.assumptions)
-    table.add({each.key, each.value, each.range, each.reason, each.file});
+    add_row(table, {{{"key", "parameter"}, each.key},
+                    {{"value", "value"}, each.value},
+                    {{"range", "range"}, each.range},
+                    {{"reason", "reason"}, each.reason},
+                    {{"file", "data file"}, each.file}});
   table.most = 0;
   all.add(std::move(table));
   return all.say(file.assumptions.empty() ? "Every parameter has a source." : "");
@@ -126,7 +124,7 @@ findings::Section assumption_findings(const study::FileOverview& file) {
 findings::Section design_findings(const study::StudyOverview& overview) {
   Section all;
   Table factors{"factors", "", {{"name", ""}, {"levels", ""}}},
-      states{"limit_states", "", {{"name", ""}, {"words", ""}, {"origin", ""}}};
+      states{"limit_states", "", json_columns({"name", "words", "origin"})};
   for (const auto& each : overview.factors) {
     factors.add({each.name, each.levels});
     all.text("factor " + each.name, each.levels);
@@ -180,11 +178,11 @@ findings::Table share_findings(const study::StudyOverview& overview) {
 }
 
 findings::Table failure_findings(const study::StudyOverview& overview) {
-  Table table{"failures",
-              "runs that failed, why, and the command that re-runs each",
-              {{"run", "run"}, {"cause", "cause"}, {"replay", "command"}}};
+  Table table{"failures", "runs that failed, why, and the command that re-runs each", {}};
   for (const study::FailedRun& each : overview.failures)
-    table.add({each.run, each.cause, each.command});
+    add_row(table, {{{"run", "run"}, each.run},
+                    {{"cause", "cause"}, each.cause},
+                    {{"replay", "command"}, each.command}});
   table.most = kMaxLines;
   return table;
 }
@@ -199,29 +197,26 @@ findings::Section step_check_findings(const study::StepCheck& of) {
   if (of.failed > 0)
     all.say(fmt::format("{} further repetition{} failed", of.failed, of.failed == 1 ? "" : "s"));
   if (of.chaotic) all.add(chaotic_steps(*of.chaotic));
-  Table demands{"demands",
-                "",
-                {{"demand", ""},
-                 {"point", ""},
-                 {"", "demand"},
-                 {"compared", "compared"},
-                 {"share_within_1_percent", "within 1 %", percent},
-                 {"share_within_5_percent", "within 5 %", percent},
-                 {"median_relative_change", "median", two},
-                 {"largest_relative_change", "largest", two},
-                 {"largest_in_run", "in run"}}};
+  Table demands{"demands", "", {}};
   for (const study::StepChange& each : of.changes) {
     const auto known = [&](double value) { return each.compared > 0 ? Value(value) : Value(); };
-    demands.add({each.demand, each.point.empty() ? Value() : Value(each.point),
-                 study::name_of(each), each.compared, known(each.within_1_percent),
-                 known(each.within_5_percent), known(each.median), known(each.largest),
-                 each.largest > 0 ? Value(each.largest_run) : Value()});
+    add_row(demands,
+            {{"demand", each.demand},
+             {"point", each.point.empty() ? Value() : Value(each.point)},
+             {{"", "demand"}, study::name_of(each)},
+             {{"compared", "compared"}, each.compared},
+             {{"share_within_1_percent", "within 1 %", percent}, known(each.within_1_percent)},
+             {{"share_within_5_percent", "within 5 %", percent}, known(each.within_5_percent)},
+             {{"median_relative_change", "median", two}, known(each.median)},
+             {{"largest_relative_change", "largest", two}, known(each.largest)},
+             {{"largest_in_run", "in run"}, each.largest > 0 ? Value(each.largest_run) : Value()}});
   }
   all.add(std::move(demands));
   const std::size_t numbers = of.runs - (of.chaotic ? of.chaotic->runs : 0);
-  Table states{"limit_states", "", {{"limit_state", ""}, {"changed_runs", ""}}};
+  Table states{"limit_states", "", {}};
   for (const study::StateChange& each : of.states) {
-    states.add({each.state, findings::Counts(each.runs.begin(), each.runs.end())});
+    add_row(states, {{"limit_state", each.state},
+                     {"changed_runs", findings::Counts(each.runs.begin(), each.runs.end())}});
     all.say(fmt::format("{}: a different outcome in {} of {} runs", each.state, each.runs.size(),
                         numbers));
   }
@@ -277,19 +272,17 @@ findings::Section overview_findings(const study::RunOverview& overview,
   all.add(outcome_findings(overview)).list("warnings", "warnings", overview.file.warnings);
   all.add(assumption_findings(overview.file));
   all.add(records(overview.file));
-  Table items{"items",
-              "largest and last displacement and largest speed against the floor",
-              {{"name", "item"},
-               {"model", "equipment"},
-               {"peak_displacement", "peak", format_of(units, "m")},
-               {"residual_displacement", "residual", format_of(units, "m")},
-               {"peak_velocity", "speed", format_of(units, "m/s")},
-               {"peak_tilt", "tilt", format_of(units, "rad")},
-               {"time_of_overturning", "overturned", {".2f", "s"}}}};
+  Table items{"items", "largest and last displacement and largest speed against the floor", {}};
   for (const auto& item : overview.items)
-    items.add({item.name, item.model, item.peak_displacement, item.residual_displacement,
-               item.peak_velocity, item.peak_tilt,
-               item.time_of_overturning < 0 ? Value() : Value(item.time_of_overturning)});
+    add_row(items, {{{"name", "item"}, item.name},
+                    {{"model", "equipment"}, item.model},
+                    {{"peak_displacement", "peak", format_of(units, "m")}, item.peak_displacement},
+                    {{"residual_displacement", "residual", format_of(units, "m")},
+                     item.residual_displacement},
+                    {{"peak_velocity", "speed", format_of(units, "m/s")}, item.peak_velocity},
+                    {{"peak_tilt", "tilt", format_of(units, "rad")}, item.peak_tilt},
+                    {{"time_of_overturning", "overturned", {".2f", "s"}},
+                     item.time_of_overturning < 0 ? Value() : Value(item.time_of_overturning)}});
   all.add(std::move(items));
   if (!units.chosen()) return all;
   Section chosen{"units"};

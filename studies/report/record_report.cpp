@@ -1,13 +1,10 @@
 #include "studies/report/record_report.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
@@ -258,16 +255,6 @@ std::string short_hash(const groundmotions::Record& record) {
   if (hashes.empty()) return "-";
   const std::string all = fmt::format("{}", fmt::join(hashes, ""));
   return (hashes.size() == 1 ? all : sha256(all)).substr(0, kHashDigits);
-}
-
-std::size_t table_width() {
-  winsize window{};
-  std::size_t found = 0;
-  if (const char* stated = std::getenv("COLUMNS"))
-    found = std::strtoul(stated, nullptr, 10);
-  else if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0)
-    found = window.ws_col;
-  return found == 0 ? std::string::npos : found;
 }
 
 std::string record_table_head(std::size_t width) {

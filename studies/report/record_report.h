@@ -28,10 +28,6 @@ std::string record_table_head(std::size_t width = std::string::npos);
 std::string record_table_line(const groundmotions::Record& record,
                               std::size_t width = std::string::npos);
 
-/// The width of the terminal, or what the environment variable COLUMNS states; without both, no
-/// limit.
-std::size_t table_width();
-
 /// Eight hexadecimal digits that identify the files of a record: of the SHA-256 of its file or, of
 /// several, of the SHA-256 of their hashes one after the other, h1 first. "-" for no file.
 std::string short_hash(const groundmotions::Record& record);

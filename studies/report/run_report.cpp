@@ -128,8 +128,9 @@ void add_record(const std::optional<study::RecordFacts>& record, const UnitSyste
           fmt::format("{}: {:.2f} s, sampled every {:g} s", r.name, r.duration, r.time_step));
   for (const std::string& each : r.components) of.text("component", each);
   for (const std::string& each : r.processing) of.text("processing", each);
-  Table files{"files", "", {{"name", ""}, {"sha256", ""}}};
-  for (const study::FileFacts& each : r.files) files.add({each.name, each.sha256});
+  Table files{"files", "", {}};
+  for (const study::FileFacts& each : r.files)
+    add_row(files, {{"name", each.name}, {"sha256", each.sha256}});
   of.add(std::move(files)).list("components", "", r.components);
   of.list("processing", "", r.processing);
   of.json("duration_s", r.duration).json("time_step_s", r.time_step);
@@ -238,22 +239,20 @@ void add_items_table(const Texts& names, const std::vector<ItemResponse>& items,
     return report::format_of(system.of(si), 1, digits);
   };
   const UnitSystem lengths = units.or_else("g-mm");
-  Table table{"",
-              "",
-              {{"", "item"},
-               {"", "moved", of(lengths, "m", ".4g")},
-               {"", "at end", of(lengths, "m", ".4g")},
-               {"", "turned", of(units, "rad", ".1f")},
-               {"", "tilt", of(units, "rad", ".1f")},
-               {"", "lifted", of(units, "s", ".2f")},
-               {"", "impacts"},
-               {"", "fastest", of(units, "m/s", ".2f")},
-               {"", "overturned", of(units, "s", ".2f")}}};
+  Table table{"", "", {}};
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Demands& d = items[i].demands;
-    table.add({names.at(i), d.peak_displacement, d.residual_displacement, d.peak_yaw, d.peak_tilt,
-               d.lifted_time, d.impacts, d.impacts > 0 ? Value(d.largest_approach_speed) : Value(),
-               d.time_of_overturning >= 0 ? Value(d.time_of_overturning) : Value()});
+    add_row(table, {{{"", "item"}, names.at(i)},
+                    {{"", "moved", of(lengths, "m", ".4g")}, d.peak_displacement},
+                    {{"", "at end", of(lengths, "m", ".4g")}, d.residual_displacement},
+                    {{"", "turned", of(units, "rad", ".1f")}, d.peak_yaw},
+                    {{"", "tilt", of(units, "rad", ".1f")}, d.peak_tilt},
+                    {{"", "lifted", of(units, "s", ".2f")}, d.lifted_time},
+                    {{"", "impacts"}, d.impacts},
+                    {{"", "fastest", of(units, "m/s", ".2f")},
+                     d.impacts > 0 ? Value(d.largest_approach_speed) : Value()},
+                    {{"", "overturned", of(units, "s", ".2f")},
+                     d.time_of_overturning >= 0 ? Value(d.time_of_overturning) : Value()}});
   }
   all.add(std::move(table));
   all.say("Wheels, points and impacts one by one: --json, or the results file.");
@@ -263,7 +262,7 @@ void add_items_table(const Texts& names, const std::vector<ItemResponse>& items,
 
 void add_events(const study::RunFacts& facts, const Response& response, const Texts& names,
                 Section& all) {
-  Table impacts{"impacts", "", {{"item", ""}, {"body", ""}, {"other", ""}, {"other_body", ""}}};
+  Table impacts{"impacts", "", json_columns({"item", "body", "other", "other_body"})};
   for (const auto& column : study::impact_columns()) impacts.columns.push_back({column.name, ""});
   for (const Impact& each : response.impacts) {
     std::vector<Cell> row{names.at(each.item), each.body, each.other, each.other_body};
@@ -275,8 +274,9 @@ void add_events(const study::RunFacts& facts, const Response& response, const Te
     Section of("overturnings[]");
     of.json("item", names.at(each.item)).json("time_s", each.time);
     of.json("direction_rad", each.direction);
-    Table liftoffs{"liftoffs", "", {{"wheel", ""}, {"time_s", ""}}};
-    for (const auto& wheel : each.liftoffs) liftoffs.add({wheel.wheel, wheel.time});
+    Table liftoffs{"liftoffs", "", {}};
+    for (const auto& wheel : each.liftoffs)
+      add_row(liftoffs, {{"wheel", wheel.wheel}, {"time_s", wheel.time}});
     add_pulse("floor_pulse", each.half_cycle, of.add(std::move(liftoffs)));
     all.add(std::move(of));
   }
@@ -306,23 +306,19 @@ void add_draw(const study::RunFacts& facts, Section& all) {
   }
   Section draw("draw", fmt::format("{}: {} parameters", facts.draw->text(), facts.drawn.size()));
   draw.json("seed", facts.draw->seed()).json("draw", facts.draw->run());
-  Table drawn{"parameters",
-              "",
-              {{"variable", "parameter"},
-               {"value", "value", {".5g"}},
-               {"unit", ""},
-               {"", "unit"},
-               {"distribution", ""},
-               {"file", ""}}};
+  Table drawn{"parameters", "", {}};
   for (const study::DrawnFacts& each : facts.drawn)
-    drawn.add({each.variable, each.value, each.unit, each.unit == "1" ? "" : each.unit,
-               each.distribution, each.file});
+    add_row(drawn, {{{"variable", "parameter"}, each.variable},
+                    {{"value", "value", {".5g"}}, each.value},
+                    {"unit", each.unit},
+                    {{"", "unit"}, each.unit == "1" ? "" : each.unit},
+                    {"distribution", each.distribution},
+                    {"file", each.file}});
   all.add(std::move(draw.add(std::move(drawn))));
 }
 
 void add_assumptions(const std::vector<study::AssumptionFacts>& assumptions, Section& all) {
-  Table table{
-      "assumptions", "", {{"key", ""}, {"value", ""}, {"range", ""}, {"reason", ""}, {"file", ""}}};
+  Table table{"assumptions", "", json_columns({"key", "value", "range", "reason", "file"})};
   std::vector<std::pair<std::string, int>> counts;
   for (const study::AssumptionFacts& each : assumptions) {
     table.add({each.key, each.value, each.range, each.reason, each.file});

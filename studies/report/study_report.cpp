@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "engine/base/error.h"
 #include "studies/analysis/study_comparison.h"
@@ -45,6 +47,72 @@ std::string headline(const study::StudyOverview& overview, const study::Fragilit
                      study::interval_text(of.band.theta, unit.in_si, 3, of.records),
                      of.curve()->beta);
 }
+
+using findings::Table;
+using findings::Value;
+
+constexpr double kSettled = 0.95, kOpen = 0.8;
+
+bool is_fitted(const statistics::IntensityRow& row) {
+  return row.status == statistics::CloudStatus::kFitted;
+}
+
+/// "scale" of "factor on the record".
+std::string short_name(const std::string& property) {
+  return property == "factor on the record" ? "scale" : property;
+}
+
+Table measures(const study::MeasureChoice& choice, const study::UnitSystem& units) {
+  const findings::Format three{".3g"};
+  Table table{"measures",
+              "",
+              {{"name", "measure"},
+               {"units", ""},
+               {"status", ""},
+               {"runs", ""},
+               {"left_out", ""},
+               {"efficiency", "efficiency", three},
+               {"practicality", "practicality", three},
+               {"proficiency", "proficiency", three},
+               {"r_squared", "R2", {".3f"}},
+               {"log_likelihood", "ln L", {".2f"}}}};
+  for (const std::string& property : choice.properties)
+    table.columns.push_back({"sufficiency." + property, "p of " + short_name(property), three});
+  table.columns.push_back({"", "remark"});
+  for (std::size_t i = 0; i < choice.rows.size(); ++i) {
+    const statistics::IntensityRow& row = choice.rows[i];
+    const auto known = [&](double value) { return is_fitted(row) ? Value(value) : Value(); };
+    table.add({row.name, units.of(choice.units[i]).name, text(row.status), row.runs, row.left_out,
+               known(row.efficiency), known(row.practicality), known(row.proficiency),
+               known(row.r_squared), known(row.log_likelihood)});
+    for (std::size_t k = 0; k < choice.properties.size(); ++k)
+      table.rows.back().push_back(is_fitted(row) ? Value(row.sufficiency.at(k)) : Value());
+    table.rows.back().push_back(!is_fitted(row)    ? text(row.status)
+                                : row.left_out > 0 ? fmt::format("{} runs only", row.runs)
+                                                   : std::string());
+  }
+  return table;
+}
+
+findings::Texts sufficiency_lines(const study::MeasureChoice& choice) {
+  const bool known = std::ranges::any_of(choice.rows, [](const statistics::IntensityRow& row) {
+    return is_fitted(row) && !std::isnan(row.sufficiency.front());
+  });
+  findings::Texts lines{
+      known ? "p of scale: of the test that the scale factor changes nothing once the measure is "
+              "known; where it is small, scaling biases the demand"
+            : "p of scale: unknown, the factor on the records follows from the measure or does "
+              "not vary"};
+  for (const char* name : {"magnitude", "distance"})
+    lines.push_back(
+        std::ranges::find(choice.properties, name) != choice.properties.end()
+            ? fmt::format("p of {0}: the same for the {0} of the records", name)
+            : fmt::format("not tested: {}, which the file does not contain for every run", name));
+  return lines;
+}
+
+constexpr std::size_t kFew = 100;
+constexpr double kMuchLeft = 0.2;
 
 }  // namespace
 
@@ -150,24 +218,23 @@ findings::List compared_answers(const study::StudyOverview& overview,
 
 findings::Table zone_findings(const study::StudyData& data) {
   const findings::Format width = format_of(data.units().of("m"), 1, ".3g"), share{".3g", "%", 0.01};
-  findings::Table table{
-      "",
-      "Zones of the room, over the runs that did not fail",
-      {{"", "zone"},
-       {"", "configuration"},
-       {"", "runs"},
-       {"", "entered", share, "share of the runs in which an item entered the zone"},
-       {"", "occupied at the end", share, "share of the runs"},
-       {"", "mean time occupied", {".3g", "s"}},
-       {"", "median least free width", width, "of the widest free path along the zone"},
-       {"", "smallest free width", width, "over all runs"}}};
+  findings::Table table{"", "Zones of the room, over the runs that did not fail", {}};
   for (const study::ZoneOccupancy& each : study::zone_occupancy(data)) {
     const auto share_of = [&](std::size_t count) {
       return static_cast<double>(count) / static_cast<double>(each.runs);
     };
-    table.add({each.zone, each.configuration.empty() ? "all runs" : each.configuration, each.runs,
-               share_of(each.entered), share_of(each.occupied_at_end), each.occupied_time,
-               each.least_free_width, each.smallest_free_width});
+    add_row(
+        table,
+        {{{"", "zone"}, each.zone},
+         {{"", "configuration"}, each.configuration.empty() ? "all runs" : each.configuration},
+         {{"", "runs"}, each.runs},
+         {{"", "entered", share, "share of the runs in which an item entered the zone"},
+          share_of(each.entered)},
+         {{"", "occupied at the end", share, "share of the runs"}, share_of(each.occupied_at_end)},
+         {{"", "mean time occupied", {".3g", "s"}}, each.occupied_time},
+         {{"", "median least free width", width, "of the widest free path along the zone"},
+          each.least_free_width},
+         {{"", "smallest free width", width, "over all runs"}, each.smallest_free_width}});
   }
   return table;
 }
@@ -175,6 +242,200 @@ findings::Table zone_findings(const study::StudyData& data) {
 std::string failed_runs(std::size_t failed, std::size_t untrusted) {
   return fmt::format("{} failed", failed) +
          (untrusted > 0 ? fmt::format(" ({} untrusted)", untrusted) : "");
+}
+
+std::string verdict(const study::MeasureChoice& choice) {
+  if (choice.rows.empty() || choice.rows.front().status != statistics::CloudStatus::kFitted)
+    return "No measure can be judged: " +
+           (choice.rows.empty() ? "none is known" : text(choice.rows.front().status)) + ".\n";
+  const statistics::IntensityRow& best = choice.rows.front();
+  std::string words = fmt::format("{} predicts this demand best", best.name);
+  std::vector<std::string> ties;
+  for (std::size_t i = 1; i <= choice.ties; ++i) ties.push_back(choice.rows[i].name);
+  if (!ties.empty())
+    words += fmt::format(", as good as {}, to which it is proportional", fmt::join(ties, ", "));
+  if (std::isnan(choice.lead)) return words + "; there is no other to compare with.\n";
+  const statistics::IntensityRow& next = choice.rows[choice.ties + 1];
+  words +=
+      fmt::format(": its ln likelihood is {:.2f} above that of {} (scatter {:.3g}, there {:.3g})",
+                  choice.lead, next.name, best.efficiency, next.efficiency);
+  if (std::isnan(choice.stays_best))
+    return words + ". One record does not show whether this holds for others.\n";
+  words += fmt::format(".\nIt stays first in {:.0f} % of the resamples of the records: ",
+                       100 * choice.stays_best);
+  if (choice.stays_best >= kSettled) return words + "the difference matters.\n";
+  if (choice.stays_best > kOpen) return words + "the difference is likely, not certain.\n";
+  return words + "the difference is inconclusive for these records.\n";
+}
+
+findings::Section measure_findings(const MeasureReport& report) {
+  const study::MeasureChoice& choice = report.choice;
+  const study::UnitSystem units = report.units.or_else("si");
+  const findings::Format demand = format_of(units, choice.demand_units, ".3g");
+  findings::Section all{
+      "", fmt::format("limit state {} ({}){}", report.state, report.words,
+                      report.configuration.empty() ? "" : ", " + report.configuration)};
+  all.json("configuration", report.configuration).json("limit_state", report.state);
+  all.json("words", report.words).json("runs", choice.runs).json("records", choice.records);
+  all.json("overturned", choice.overturned).json("at_floor", choice.at_floor);
+  all.json("floor", choice.floor, demand);
+  all.json("floor_units", units.of(choice.demand_units).name);
+  all.say(fmt::format(
+      "{} runs of {} record{}; {} overturned: demand at least the limit; {} below {}: at most that",
+      choice.runs, choice.records, choice.records == 1 ? "" : "s", choice.overturned,
+      choice.at_floor, with_unit(choice.floor, demand)));
+  all.add(measures(choice, units)).list("unknown", "not known for these records", choice.unknown);
+  all.json("lead_of_log_likelihood", choice.lead).json("stays_best", choice.stays_best);
+  all.json("verdict", verdict(choice)).say(verdict(choice));
+  if (!choice.rows.empty() && is_fitted(choice.rows.front()))
+    for (std::string& line : sufficiency_lines(choice)) all.say(std::move(line));
+  return all;
+}
+
+std::string name_of(const study::SensitiveInput& input) {
+  if (input.names.size() == 1) return input.names.front();
+  return fmt::format("{} and {} equal to it", input.names.front(), input.names.size() - 1);
+}
+
+findings::Texts sensitivity_remarks(const study::StudySensitivity& found) {
+  findings::Texts lines;
+  const auto say = [&](std::string line) { lines.push_back(std::move(line)); };
+  const auto lead = std::ranges::find_if(found.inputs, &study::SensitiveInput::stands_out);
+  if (lead == found.inputs.end())
+    say("No input stands out: every interval reaches 0.");
+  else
+    say(fmt::format("{} contributes most: first-order Sobol' index {:.2f}{}.", name_of(*lead),
+                    lead->index->estimate,
+                    lead->total ? fmt::format(", total index {:.2f}", lead->total->estimate) : ""));
+  say(fmt::format("The indices sum to {:.2f}{}.", found.sum,
+                  found.correlated.empty() ? "" : ", correlated inputs counted once"));
+  const char* const rest = 1 - found.sum > kMuchLeft
+                               ? "What is missing to 1 is of inputs acting together, or chance. "
+                               : "";
+  if (found.designed)
+    say(fmt::format(
+        "{}The first index is of an input alone, the total of all in which it has a part: an input "
+        "whose total is 0 does not matter.",
+        rest));
+  else
+    say(
+        fmt::format("{}An index is of an input alone: what inputs do only together (interactions) "
+                    "is in none of them.",
+                    rest));
+  for (const study::SensitiveInput& input : found.inputs)
+    if (input.names.size() > 1)
+      say(fmt::format("Equal in every run, so one input: {}.", fmt::join(input.names, ", ")));
+  for (const auto& names : found.correlated)
+    say(fmt::format("Correlated, so the index of each holds what the others do: {}.",
+                    fmt::join(names, ", ")));
+  if (!found.constant.empty())
+    say(fmt::format("Drawn, but the same in every run: {}.", fmt::join(found.constant, ", ")));
+  if (!found.why_level.empty()) say(fmt::format("Level: {}, {}.", found.level, found.why_level));
+  if (std::ranges::any_of(found.inputs, [](const study::SensitiveInput& input) {
+        return input.drawn && std::isnan(input.bar.swing());
+      }))
+    say(fmt::format("Means of fewer than {} runs are not stated.", study::kFewestOfMean));
+  if (found.runs < kFew && !found.designed)
+    say(
+        fmt::format("Few runs: {} make wide intervals, and classes of {:.0f} runs smooth what "
+                    "changes fast; 100 or more are better.",
+                    found.runs, std::sqrt(static_cast<double>(found.runs))));
+  if (found.repeated_draws && found.designed)
+    say(fmt::format(
+        "Several angles or levels share {} points: the indices are of the variance within them, "
+        "and the intervals are too narrow; look at one --level.",
+        found.draws));
+  else if (found.repeated_draws)
+    say(
+        fmt::format("{} runs share {} draws: they are not independent and the intervals are "
+                    "too narrow; look at one --level.",
+                    found.runs, found.draws));
+  if (found.overturned > 0)
+    say(fmt::format("{} runs overturned: their demands are those before overturning.",
+                    found.overturned));
+  if (found.left_out > 0)
+    say(fmt::format("{} runs {}", found.left_out,
+                    found.designed ? "are excluded: they have no such demand, or another run "
+                                     "of their point has none or failed."
+                                   : "have no such demand and are excluded."));
+  return lines;
+}
+
+findings::Table sensitive_inputs(const SensitivityReport& report) {
+  const study::StudySensitivity& found = report.found;
+  const findings::Format index{".2f"}, ends_of = interval_format(index), three{".3g"},
+                                       value = format_of(report.units, found.units, ".3g");
+  const auto quantile = [](double share) { return fmt::format("{:g} %", 100 * share); };
+  findings::Table table{"inputs",
+                        "",
+                        {{"names", ""},
+                         {"", "input"},
+                         {"drawn", ""},
+                         {"index", found.designed ? "first" : "index", index,
+                          "share of the variance by the input alone"},
+                         {"interval", "95 % interval", ends_of}}};
+  if (found.designed)
+    table.columns.insert(table.columns.end(),
+                         {{"total_index", "total", index, "with all interactions"},
+                          {"total_interval", "95 % interval", ends_of}});
+  table.columns.insert(table.columns.end(), {{"low", quantile(found.share), three,
+                                              "the input is lower in this share of the runs"},
+                                             {"high", quantile(1 - found.share), three},
+                                             {"mean_below", "mean below", value},
+                                             {"mean_below_error", "+-", value, "standard error"},
+                                             {"runs_below", "runs"},
+                                             {"mean_above", "mean above", value},
+                                             {"mean_above_error", "+-", value, "standard error"},
+                                             {"runs_above", "runs"},
+                                             {"swing", "swing", value}});
+  for (const study::SensitiveInput& input : found.inputs) {
+    std::vector<findings::Cell> row{input.names, name_of(input), input.drawn};
+    const auto add = [&](const std::optional<statistics::VarianceIndex>& of) {
+      row.emplace_back(of ? Value(of->estimate) : Value());
+      row.emplace_back(of ? ends(of->interval) : Value());
+    };
+    add(input.index);
+    if (found.designed) add(input.total);
+    const statistics::TornadoBar& bar = input.bar;
+    for (const double each : {input.low, input.high, bar.low, bar.low_error})
+      row.emplace_back(input.drawn ? Value(each) : Value());
+    row.emplace_back(input.drawn ? Value(bar.low_runs) : Value());
+    for (const double each : {bar.high, bar.high_error})
+      row.emplace_back(input.drawn ? Value(each) : Value());
+    row.emplace_back(input.drawn ? Value(bar.high_runs) : Value());
+    row.emplace_back(input.drawn ? Value(bar.swing()) : Value());
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+std::string sensitivity_title(const SensitivityReport& report) {
+  const study::StudySensitivity& found = report.found;
+  const findings::Format of = format_of(report.units, found.units, ".3g");
+  return fmt::format("{}{}{}: mean {}, standard deviation {}, {} runs", found.output,
+                     report.configuration.empty() ? "" : ", " + report.configuration,
+                     found.level.empty() ? "" : ", " + found.level, with_unit(found.mean, of),
+                     with_unit(found.deviation, of), found.runs);
+}
+
+findings::Section sensitivity_findings(const SensitivityReport& report) {
+  const study::StudySensitivity& found = report.found;
+  if (!report.why_not.empty())
+    return findings::Section{"", report.configuration + ": " + report.why_not}
+        .json("configuration", report.configuration)
+        .json("why_not", report.why_not);
+  const findings::Format of = format_of(report.units, found.units);
+  findings::Section all{"", sensitivity_title(report)};
+  all.json("configuration", report.configuration).json("output", found.output);
+  all.json("units", report.units.or_else("si").of(found.units).name).json("level", found.level);
+  all.json("designed", found.designed).json("runs", found.runs).json("left_out", found.left_out);
+  all.json("draws", found.draws).json("overturned", found.overturned);
+  all.json("mean", found.mean, of).json("standard_deviation", found.deviation, of);
+  all.json("sum_of_indices", found.sum).json("tornado_share", found.share);
+  all.add(sensitive_inputs(report));
+  for (std::string& remark : sensitivity_remarks(found)) all.say(std::move(remark));
+  all.json("correlated", found.correlated);
+  return all.json("constant", found.constant);
 }
 
 }  // namespace gurney::report

@@ -4,8 +4,10 @@
 #include <string>
 
 #include "studies/analysis/fragility_result.h"
+#include "studies/analysis/measure_choice.h"
 #include "studies/analysis/overview.h"
 #include "studies/analysis/scale_factors.h"
+#include "studies/analysis/study_sensitivity.h"
 #include "studies/findings/findings.h"
 
 namespace gurney::report {
@@ -43,5 +45,43 @@ inline findings::Section scale_factor_findings(const study::ScaleFactors& factor
   if (shown) all.text("scaling", "factors " + factors.text() + note);
   return all;
 }
+
+/// Report of `gurney measures` on one limit state of one configuration.
+struct MeasureReport {
+  std::string configuration;
+  std::string state, words;  ///< name and meaning of the limit state
+  study::MeasureChoice choice;
+  study::UnitSystem units = {};
+};
+
+/// Which is best and whether the difference matters, in a sentence or two. It matters where it
+/// stays in 95 % of the resamples of records, and does not where another comes first in a fifth.
+std::string verdict(const study::MeasureChoice& choice);
+
+/// In SI unless units are chosen.
+findings::Section measure_findings(const MeasureReport& report);
+
+/// Report of `gurney sensitivity` on one configuration.
+struct SensitivityReport {
+  std::string configuration;
+  study::StudySensitivity found;
+  std::string why_not;  ///< nothing was found; empty: it was
+  study::UnitSystem units = {};
+};
+
+/// "mass_kg", or "static_friction and 7 equal to it".
+std::string name_of(const study::SensitiveInput& input);
+
+/// Indices and tornado of the inputs.
+findings::Table sensitive_inputs(const SensitivityReport& report);
+
+/// Meaning of the indices and how far to trust them, a sentence each.
+findings::Texts sensitivity_remarks(const study::StudySensitivity& found);
+
+/// "peak_tilt, brakes on: mean 3.2 deg, standard deviation 0.4 deg, 100 runs"
+std::string sensitivity_title(const SensitivityReport& report);
+
+/// In SI unless units are chosen.
+findings::Section sensitivity_findings(const SensitivityReport& report);
 
 }  // namespace gurney::report

@@ -8,6 +8,8 @@
 #include <map>
 
 #include "studies/build_info/build_info.h"
+#include "studies/render/render.h"
+#include "studies/report/formats.h"
 
 namespace gurney::report {
 namespace {
@@ -55,20 +57,17 @@ using Cases = std::vector<const Section*>;
 const Format kSeven{".7g"}, kSix{".6g"}, kThree{".3g"}, kTwo{".2g"}, kUsed{".3g", "%"};
 
 Table checks_table(const std::string& key, const verification::Findings& findings) {
-  Table table{key,
-              "Every check of every case",
-              {{"quantity", "quantity"},
-               {"where", "worst at"},
-               {"unit", "unit"},
-               {"computed", "computed", kSeven},
-               {"reference", "reference", kSeven},
-               {"error", "error", kTwo, "computed less reference"},
-               {"tolerance", "tolerance", kTwo},
-               {"passed", "passed"},
-               {"derivation", "where the tolerance comes from"}}};
+  Table table{key, "Every check of every case", {}};
   for (const verification::Check& c : findings.checks)
-    table.add({c.quantity, c.where, c.unit, c.computed, c.reference, c.error(), c.tolerance,
-               c.passed(), c.derivation});
+    add_row(table, {{{"quantity", "quantity"}, c.quantity},
+                    {{"where", "worst at"}, c.where},
+                    {{"unit", "unit"}, c.unit},
+                    {{"computed", "computed", kSeven}, c.computed},
+                    {{"reference", "reference", kSeven}, c.reference},
+                    {{"error", "error", kTwo, "computed less reference"}, c.error()},
+                    {{"tolerance", "tolerance", kTwo}, c.tolerance},
+                    {{"passed", "passed"}, c.passed()},
+                    {{"derivation", "where the tolerance comes from"}, c.derivation}});
   return table;
 }
 
@@ -77,16 +76,14 @@ Section case_section(const verification::CaseRun& run) {
   Section of("cases[]");
   of.json("name", run.name()).json("group", statement.group).json("title", statement.title);
   of.json("equation", statement.equation).json("source", statement.source);
-  Table parameters{"parameters{}",
-                   "Parameters, and the ranges in which the closed forms hold",
-                   {{"", "parameter"},
-                    {"value", "value", kSix},
-                    {"unit", "unit"},
-                    {"lowest", "lowest", kSix},
-                    {"highest", "highest", kSix}}};
+  Table parameters{"parameters{}", "Parameters, and the ranges in which the closed forms hold", {}};
   for (std::size_t i = 0; i < run.set.values.size(); ++i) {
     const verification::Parameter& p = run.family->parameters[i];
-    parameters.add({p.name, run.set.values[i], p.unit, p.low, p.high});
+    add_row(parameters, {{{"", "parameter"}, p.name},
+                         {{"value", "value", kSix}, run.set.values[i]},
+                         {{"unit", "unit"}, p.unit},
+                         {{"lowest", "lowest", kSix}, p.low},
+                         {{"highest", "highest", kSix}, p.high}});
   }
   of.add(std::move(parameters)).json("passed", run.findings.passed());
   of.add(checks_table("checks", run.findings));
@@ -129,7 +126,9 @@ Table of_cases(const char* title, std::vector<Column> columns) {
 }
 
 Table empty_checks(const char* title) {
-  Table all = of_cases(title, checks_table("", {}).columns);
+  verification::Findings one;
+  one.checks.resize(1);
+  Table all = of_cases(title, checks_table("", one).columns);
   all.columns.insert(all.columns.end() - 1, {"", "used", kUsed, "|error| over tolerance"});
   return all;
 }
@@ -213,20 +212,17 @@ Section by_group(const Cases& cases) {
 }
 
 Section forms(const Cases& cases) {
-  Table table{"",
-              "Closed forms",
-              {{"", "closed form"},
-               {"", "what happens"},
-               {"", "reference"},
-               {"", "source"},
-               {"", "cases"}}};
+  Table table{"", "Closed forms", {}};
   std::map<std::string, std::size_t> counts;
   for (const Section* each : cases) ++counts[form_of(*each)];
   for (const Section* each : cases) {
     const auto found = counts.extract(form_of(*each));
     if (!found.empty())
-      table.add({found.key(), text_of(*each, "title"), text_of(*each, "equation"),
-                 text_of(*each, "source"), found.mapped()});
+      add_row(table, {{{"", "closed form"}, found.key()},
+                      {{"", "what happens"}, text_of(*each, "title")},
+                      {{"", "reference"}, text_of(*each, "equation")},
+                      {{"", "source"}, text_of(*each, "source")},
+                      {{"", "cases"}, found.mapped()}});
   }
   return std::move(Section("", "Closed forms and their sources").add(std::move(table)));
 }
@@ -260,6 +256,102 @@ Section numbers(const Cases& cases) {
   }
   Section all("", "All numbers");
   return std::move(all.add(std::move(checks)).add(std::move(parameters)).add(std::move(others)));
+}
+
+using verification::StockRun;
+
+/// The check of one quantity that used most of its tolerance, among all cases of a family.
+struct Row {
+  std::string quantity;
+  const CaseRun* run;
+  const Check* check;
+};
+
+std::vector<Row> rows_of(const std::vector<CaseRun>& runs, const verification::Family* family) {
+  std::vector<Row> rows;
+  for (const CaseRun& run : runs) {
+    if (run.family != family) continue;
+    for (const Check& check : run.findings.checks) {
+      const auto at = std::ranges::find(rows, check.quantity, &Row::quantity);
+      if (at == rows.end())
+        rows.push_back({check.quantity, &run, &check});
+      else if (check.used() > at->check->used())
+        *at = {check.quantity, &run, &check};
+    }
+  }
+  return rows;
+}
+
+std::vector<const verification::Family*> families_of(const std::vector<CaseRun>& runs) {
+  std::vector<const verification::Family*> families;
+  for (const CaseRun& run : runs)
+    if (families.empty() || families.back() != run.family) families.push_back(run.family);
+  return families;
+}
+
+/// Error of a quantity on a stock solver.
+std::string stock_error(const StockRun& stock, const std::string& quantity) {
+  const auto at = std::ranges::find(stock.findings.checks, quantity, &Check::quantity);
+  return at == stock.findings.checks.end() ? "" : fmt::format("{:.1e}", at->error());
+}
+
+std::string code(const std::string& name) { return "`" + name + "`"; }
+
+std::string with_unit(const Check& check) {
+  return check.unit.empty() ? check.quantity : check.quantity + " [" + check.unit + "]";
+}
+
+/// A derivation that the row above has as well.
+const std::string kAsAbove = "as above";
+
+const char* key_of(study::Varied varied) {
+  switch (varied) {
+    case study::Varied::kTimeStep:
+      return "time_step";
+    case study::Varied::kSolverTolerance:
+      return "solver_tolerance";
+    case study::Varied::kTreadStiffness:
+      break;
+  }
+  return "tread_stiffness";
+}
+
+std::string verdict(const study::ConvergedNumber& number, double tolerance) {
+  std::string text = name_of(number.step);
+  if (number.step == study::StepVerdict::kConverging)
+    text = fmt::format("{} ({:.2g} s)", text, number.step_needed);
+  if (number.solver_change > tolerance) text += "; solver tolerance too loose";
+  if (number.stiffness_change > tolerance) text += "; depends on the tread stiffness";
+  return text;
+}
+
+Table numbers(const study::Convergence& found, const study::UnitSystem& units) {
+  const findings::Format percent{".2g", "%", 0.01};
+  Table table{"numbers", "", {}};
+  table.grouped = true;
+  for (const study::ConvergedNumber& each : found.numbers) {
+    const findings::Format format = format_of(units.or_else("m"), each.units, ".5g"),
+                           json = format_of(units.or_else("si"), each.units);
+    add_row(table,
+            {{{"", "item"}, each.item.empty() ? "Share of runs" : each.item},
+             {"item", each.item},
+             {{"name", "demand"}, each.name},
+             {"units", units.or_else("si").of(each.units).name},
+             {{"runs", "runs"}, each.runs},
+             {"values", {each.values, json}},
+             {"scatter", {each.scatter, json}},
+             {{"", found.runs == 1 ? "value" : "median or share"}, {each.values.front(), format}},
+             {{"", "unit"}, format.unit},
+             {{"change", "step", percent}, each.change},
+             {"order", each.order},
+             {{"", "order", {".1f"}}, each.change > 0 ? Value(each.order) : Value()},
+             {"verdict", name_of(each.step)},
+             {"time_step_needed_s", each.step_needed},
+             {{"solver_change", "solver", percent}, each.solver_change},
+             {{"tread_stiffness_change", "tread", percent}, each.stiffness_change},
+             {{"", "verdict on the time step"}, verdict(each, found.tolerance)}});
+  }
+  return table;
 }
 
 }  // namespace
@@ -347,6 +439,84 @@ Section verification_findings(const Section& facts) {
   for (const Part& part : facts.parts)
     if (const auto* of = std::get_if<Section>(&part); of && of->title == "Provenance") all.add(*of);
   return all;
+}
+
+std::string verification_markdown(const std::vector<CaseRun>& runs) {
+  Table statements{"", "", {}};
+  Table checks{"", "", {}};
+  Table stock{"", "", {}};
+  for (const verification::Family* family : families_of(runs)) {
+    const verification::Statement& s = family->statement;
+    add_row(statements, {{{"", "closed form"}, code(s.name)},
+                         {{"", "what happens"}, s.title},
+                         {{"", "reference"}, s.equation},
+                         {{"", "source"}, s.source},
+                         {{"", "cases"}, std::ranges::count(runs, family, &CaseRun::family)}});
+    std::string last;
+    for (const Row& row : rows_of(runs, family)) {
+      const Check& check = *row.check;
+      add_row(checks, {{{"", "closed form"}, code(s.name)},
+                       {{"", "quantity"}, with_unit(check)},
+                       {{"", "worst case"}, row.run->set.name},
+                       {{"", "reference", {".5g"}}, check.reference},
+                       {{"", "error", {".1e"}}, check.error()},
+                       {{"", "tolerance", {".1e"}}, check.tolerance},
+                       {{"", "how the tolerance follows"},
+                        check.derivation == last ? kAsAbove : check.derivation}});
+      last = check.derivation;
+    }
+  }
+  for (const CaseRun& run : runs) {
+    if (run.stock.size() != 2) continue;
+    for (const Check& c : run.findings.checks) {
+      const std::string bullet = stock_error(run.stock[0], c.quantity);
+      if (!bullet.empty())
+        add_row(stock, {{{"", "case"}, code(run.name())},
+                        {{"", "quantity"}, with_unit(c)},
+                        {{"", "reference", {".5g"}}, c.reference},
+                        {{"", "error of gurney", {".1e"}}, c.error()},
+                        {{"", "of bullet"}, bullet},
+                        {{"", "of bullet-dantzig"}, stock_error(run.stock[1], c.quantity)}});
+    }
+  }
+  return std::string(R"(# Closed forms
+
+Written by `gurney verify --markdown`; [verification](verification.md) explains how to read and repeat it.
+
+## What is compared
+
+)") + render::markdown(statements) +
+         R"(
+## Worst case of each quantity
+
+For each quantity the case that uses most of its tolerance. The computed value is reference + error; `gurney verify
+--json` prints it for every case.
+
+)" + render::markdown(checks) +
+         R"(
+## Stock Bullet on the same cases
+
+`bullet` is its iterated contact solver (50 iterations), `bullet-dantzig` its direct one, with the same steps. Cases
+with fixtures or drop weights are omitted, which stock Bullet does not support. Its friction cone is a pyramid: hence
+the error of `isotropy_free`.
+
+)" + render::markdown(stock);
+}
+
+findings::Section convergence_findings(const study::Convergence& found,
+                                       const study::UnitSystem& units) {
+  Section all;
+  all.fact("runs", "runs", found.runs, {}, fmt::format("of {}", found.of_runs));
+  all.json("of_runs", found.of_runs);
+  all.fact("time_step_s", "time step", found.settings.time_step, {"g", "s"},
+           fmt::format("compared with {:g} s", 0.125 * found.settings.time_step));
+  all.fact("residual", "residual of the solver", found.settings.residual, {"g"});
+  all.fact("tolerance", "tolerance", found.tolerance, {"g", "%", 0.01});
+  all.list("failed", "failed", found.failed);
+  Table variants{"variants", "", {}};
+  for (const study::Variant& each : found.variants)
+    add_row(variants, {{"varied", key_of(each.varied)}, {"factor", each.factor}});
+  return all.add(std::move(variants)).add(numbers(found, units));
 }
 
 }  // namespace gurney::report

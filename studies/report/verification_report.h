@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "studies/convergence/convergence.h"
 #include "studies/findings/findings.h"
+#include "studies/units/unit_system.h"
 #include "studies/verification/verify.h"
 
 namespace gurney::report {
@@ -32,5 +34,9 @@ double used_of(const findings::Table& checks, std::size_t row);
 
 /// The page docs/verification_tables.md: closed forms, and every check of every case.
 std::string verification_markdown(const std::vector<verification::CaseRun>& runs);
+
+/// In SI unless units are chosen.
+findings::Section convergence_findings(const study::Convergence& found,
+                                       const study::UnitSystem& units = {});
 
 }  // namespace gurney::report

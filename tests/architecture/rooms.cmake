@@ -84,16 +84,16 @@ set(GURNEY_ROOMS
     studies/loss studies/hospital studies/convergence studies/calibration/trials
     studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render studies/explanation"
+  "studies/playback: engine/base engine/response studies/results"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
     studies/statistics studies/verification studies/units studies/results studies/analysis
     studies/hospital studies/convergence studies/calibration/trials studies/calibration/fit
-    studies/explanation studies/report"
+    studies/explanation studies/report studies/playback"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info
     studies/job studies/units studies/results studies/plan
     studies/analysis studies/findings studies/report studies/figures studies/explanation"
-  "studies/playback: engine/base engine/response studies/results"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/results
     studies/run studies/picture"
   "studies/templates: engine/base"
@@ -124,6 +124,6 @@ set(GURNEY_LIBRARIES
   "hdf5|H5: studies/results/hdf5_"
   "nlohmann/: engine/config groundmotions/formats/event_file studies/exports studies/render studies/report
     studies/page studies/playback studies/workbench studies/cli"
-  "cairo|librsvg/: studies/picture/rendering"
+  "cairo|librsvg/: studies/picture/picture"
   "CLI/: studies/cli"
   "pybind11/: studies/bindings")

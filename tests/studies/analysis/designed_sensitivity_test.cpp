@@ -2,8 +2,8 @@
 
 #include "engine/base/random/sampling.h"
 #include "studies/analysis/study_sensitivity.h"
-#include "studies/figures/sensitivity_figures.h"
-#include "studies/report/sensitivity_report.h"
+#include "studies/figures/study_figures.h"
+#include "studies/report/study_report.h"
 #include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/one_line.h"

@@ -8,7 +8,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
-#include "studies/figures/fragility_figures.h"
+#include "studies/figures/study_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/fragility_report.h"
 #include "tests/studies/analysis/small_study.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/base/random/normal_draw.h"
-#include "studies/report/measure_report.h"
+#include "studies/report/study_report.h"
 #include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/one_line.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "studies/figures/fragility_figures.h"
+#include "studies/figures/study_figures.h"
 #include "studies/report/comparison_report.h"
 #include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/error_text.h"

@@ -4,7 +4,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "studies/analysis/fragility_result.h"
-#include "studies/figures/fragility_figures.h"
+#include "studies/figures/study_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/fragility_report.h"
 #include "tests/studies/analysis/synthetic_runs.h"

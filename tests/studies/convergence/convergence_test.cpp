@@ -7,7 +7,7 @@
 
 #include "engine/run/simulate.h"
 #include "studies/figures/verification_figures.h"
-#include "studies/report/convergence_report.h"
+#include "studies/report/verification_report.h"
 #include "tests/studies/small_study.h"
 #include "tests/support/one_line.h"
 #include "tests/support/temp_folder.h"

@@ -6,9 +6,9 @@
 
 #include "studies/figures/chart.h"
 #include "studies/figures/demand_figures.h"
-#include "studies/figures/history_figure.h"
 #include "studies/figures/labels.h"
-#include "studies/figures/trajectory_figure.h"
+#include "studies/figures/plan_figures.h"
+#include "studies/figures/record_figures.h"
 #include "studies/results/columns.h"
 #include "studies/results/results_file.h"
 #include "tests/support/synthetic_run.h"

@@ -3,9 +3,9 @@
 #include <regex>
 
 #include "engine/base/units.h"
-#include "studies/figures/collision_figure.h"
-#include "studies/figures/sensitivity_figures.h"
-#include "studies/figures/spectra_figure.h"
+#include "studies/figures/plan_figures.h"
+#include "studies/figures/record_figures.h"
+#include "studies/figures/study_figures.h"
 #include "studies/results/names.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/synthetic_ward.h"

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "studies/page/drawing.h"
-#include "studies/page/findings_html.h"
 #include "tests/studies/page/balanced.h"
 
 namespace gurney::page {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/analysis/fragility_result.h"
-#include "studies/page/case_columns.h"
+#include "studies/page/study_page.h"
 #include "studies/results/results_file.h"
 #include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/studies/page/balanced.h"

@@ -1,10 +1,9 @@
-#include "studies/playback/ghosts.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/playback/page.h"
 #include "tests/studies/playback/base64_bytes.h"
 
 namespace gurney::playback {

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "studies/playback/solid.h"
 #include "studies/results/results_file.h"
 #include "tests/studies/playback/base64_bytes.h"
 #include "tests/support/synthetic_run.h"

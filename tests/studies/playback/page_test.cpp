@@ -7,7 +7,6 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "studies/playback/channel.h"
 #include "studies/results/results_file.h"
 #include "tests/studies/playback/base64_bytes.h"
 #include "tests/support/expect_error.h"

@@ -1,5 +1,3 @@
-#include "studies/report/pulling_report.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 
 #include "studies/figures/pulling_figures.h"
 #include "studies/render/render.h"
+#include "studies/report/calibration_report.h"
 #include "tests/studies/calibration/pulling/pulling_study.h"
 
 namespace gurney::calibration {

@@ -2,17 +2,30 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/files.h"
+#include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
-#include "studies/cli/arguments.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/output.h"
+#include "studies/cli/process.h"
+#include "studies/cli/repeated_run.h"
+#include "studies/cli/shared_options.h"
+#include "studies/cli/study_output.h"
 #include "studies/plan/plan.h"
+#include "studies/report/formats.h"
+#include "studies/report/study_report.h"
 #include "studies/results/output_files.h"
 #include "studies/run/shard_folders.h"
+#include "studies/run/shard_status.h"
+#include "studies/run/study_identity.h"
 
 namespace gurney::cli {
 namespace {
@@ -225,6 +238,203 @@ int submit_command(const SubmitOptions& options) {
   return 0;
 }
 
+using study::RecordTime;
+using study::ShardStatus;
+
+struct StatusOptions {
+  std::string folder;
+  bool json = false;
+};
+
+std::string state_of(const ShardStatus& shard) {
+  if (!shard.started) return "not started";
+  if (shard.other_study) return "of another study: not counted, and refused by merge";
+  if (shard.done == shard.tasks) return "finished";
+  return shard.process.empty() ? "stopped" : "running: " + shard.process;
+}
+
+/// Time that a running shard still takes [s]; 0: unknown, or nothing runs.
+double to_go(const ShardStatus& shard) {
+  if (shard.process.empty()) return 0;
+  return shard.seconds_per_task *
+         static_cast<double>(shard.tasks - std::min(shard.done, shard.tasks));
+}
+
+findings::Table table_of(const std::vector<ShardStatus>& shards) {
+  findings::Table table{"shards", "", {}};
+  for (const ShardStatus& s : shards) {
+    const double time = to_go(s);
+    report::add_row(table,
+                    {{{"shard", "shard"}, fmt::format("{}/{}", s.shard.number, s.shard.count)},
+                     {{"", "cases"}, fmt::format("{} of {}", s.done, s.tasks)},
+                     {"analysis_cases", s.tasks},
+                     {"finished", s.done},
+                     {{"runs", "runs"}, s.counts.runs},
+                     {{"overturned", "overturned"}, s.counts.overturned},
+                     {{"", "failed"}, report::failed_runs(s.counts.failed, s.counts.untrusted)},
+                     {"failed", s.counts.failed},
+                     {"untrusted", s.counts.untrusted},
+                     {{"runs_per_second", "runs/s", {".1f"}}, s.runs_per_second},
+                     {{"", "to go"}, time > 0 ? duration_text(time) : std::string("-")},
+                     {"seconds_to_go", time},
+                     {{"state", "state"}, state_of(s)}});
+  }
+  return table;
+}
+
+struct Total {
+  std::size_t tasks = 0, done = 0, runs = 0, failed = 0, finished = 0, running = 0, damaged = 0,
+              foreign = 0;
+  double rate = 0, to_go = 0;  ///< of those that run; the longest
+};
+
+Total total_of(const std::vector<ShardStatus>& shards) {
+  Total all;
+  for (const ShardStatus& s : shards) {
+    all.tasks += s.tasks;
+    all.done += s.done;
+    all.runs += s.counts.runs;
+    all.failed += s.counts.failed;
+    all.damaged += s.damaged;
+    all.foreign += s.foreign;
+    all.finished += s.done == s.tasks;
+    if (s.process.empty()) continue;
+    ++all.running;
+    all.rate += s.runs_per_second;
+    all.to_go = std::max(all.to_go, to_go(s));
+  }
+  return all;
+}
+
+/// Records of all shards, those with the slowest runs first.
+std::vector<std::pair<std::string, RecordTime>> slowest_records(
+    const std::vector<ShardStatus>& shards) {
+  constexpr std::size_t kMost = 5;
+  std::map<std::string, RecordTime> all;
+  for (const ShardStatus& shard : shards)
+    for (const auto& [name, time] : shard.records) {
+      all[name].runs += time.runs;
+      all[name].seconds += time.seconds;
+    }
+  std::vector<std::pair<std::string, RecordTime>> sorted(all.begin(), all.end());
+  std::ranges::stable_sort(sorted, std::greater<>(),
+                           [](const auto& each) { return each.second.mean(); });
+  if (sorted.size() > kMost) sorted.resize(kMost);
+  return sorted;
+}
+
+findings::Table table_of(const std::vector<std::pair<std::string, RecordTime>>& records) {
+  findings::Table table{"slowest_records", "", {}};
+  for (const auto& [name, time] : records)
+    report::add_row(
+        table, {{{"record", "slowest records"}, name.empty() ? "floor at rest" : printable(name)},
+                {{"runs", "runs"}, time.runs},
+                {{"cpu_seconds_per_run", "CPU time of a run", {".3g", "s"}}, time.mean()}});
+  return table;
+}
+
+int status_command(const StatusOptions& options) {
+  const std::vector<ShardStatus> shards = study::shard_status(options.folder);
+  const Total all = total_of(shards);
+  findings::Section known;
+  known.add(table_of(shards));
+  known.json("analysis_cases", all.tasks).json("finished", all.done).json("runs", all.runs);
+  known.json("failed", all.failed).json("damaged_parts", all.damaged);
+  known.json("foreign_analysis_cases", all.foreign).json("runs_per_second", all.rate);
+  known.json("seconds_to_go", all.to_go);
+  known.say(
+      fmt::format("{} of {} analysis cases, {} runs, {} failed; {} of {} shards finished, {} "
+                  "running{}{}",
+                  all.done, all.tasks, all.runs, all.failed, all.finished, shards.size(),
+                  all.running, all.rate > 0 ? fmt::format(", {:.1f} runs/s", all.rate) : "",
+                  all.to_go > 0 ? fmt::format(", {} to go", duration_text(all.to_go)) : ""));
+  if (all.damaged > 0)
+    known.say(fmt::format("{} damaged parts, whose runs will be repeated", all.damaged));
+  if (all.foreign > 0)
+    known.say(fmt::format(
+        "{} analysis cases stand in the folder of another shard and are not counted", all.foreign));
+  const auto records = slowest_records(shards);
+  if (records.size() > 1 || options.json) known.add(table_of(records));
+  print_findings(known, options.json);
+  return 0;
+}
+
+constexpr const char* kSuffix = ".shards";
+
+struct MergeOptions {
+  std::string folder, output, job;
+  bool overwrite = false, json = false;
+};
+
+fs::path results_of(const MergeOptions& options, const fs::path& folder) {
+  const bool named = folder.extension() == kSuffix;
+  require(!options.output.empty() || named,
+          fmt::format("{}: is not named as gurney run names a folder of shards, FILE.h5{}; give "
+                      "the results file with -o",
+                      folder.string(), kSuffix));
+  return results_file(options.output.empty() ? folder.parent_path() / folder.stem()
+                                             : fs::path(options.output));
+}
+
+std::string job_of(const MergeOptions& options, const fs::path& folder) {
+  if (!options.job.empty()) return options.job;
+  const std::string path = job_of_shards(folder);
+  require(!path.empty(), folder.string() + ": holds no path of the job; give it with --job");
+  require(is_there(path), fmt::format("{}: the job {} {}; give its new path with --job",
+                                      folder.string(), path, why_not_there(path)));
+  return path;
+}
+
+/// The commands that complete the shards; empty if these are of several counts.
+std::string repair(const std::vector<study::ShardFolders::Incomplete>& shards,
+                   const std::string& job, const fs::path& results) {
+  constexpr std::size_t kShown = 3;
+  std::size_t listed = 0;
+  std::string text, numbers;
+  for (const auto& [shard, missing] : shards) {
+    if (!numbers.empty()) numbers += ",";
+    numbers += std::to_string(shard.number);
+    if (++listed <= kShown)
+      text += fmt::format("\n  gurney run {} -o {} --resume --shard {}/{}", shell_word(job),
+                          shell_word(results.string()), shard.number, shard.count);
+  }
+  if (text.empty()) return text;
+  const std::string script = shell_word(fs::path(job).stem().string() + ".sbatch");
+  return "\ncomplete them with:" + text +
+         fmt::format("\nor all on Slurm, with the script of gurney submit:\n  sbatch --array={} {}",
+                     numbers, script);
+}
+
+int merge_command(const MergeOptions& options) {
+  fs::path folder = fs::path(options.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // it ended in a slash
+  study::shards_in(folder);                                   // or there are none
+  const fs::path results = results_of(options, folder);
+  study::OutputFiles(options.overwrite).check(results.string());
+  const std::string path = job_of(options, folder);
+  const study::StudyJob job(path);
+  const study::StudyMotions motions(job);
+  const study::Plan plan(job, motions);
+  const study::Batch batch{job, motions, plan};
+  motions.read_all(threads_or_all());
+  for (const char* ending : {".h5", ".log"})
+    study::refuse_input(fs::path(results).replace_extension(ending).string());
+
+  study::ShardFolders shards(folder, study::identity_of(batch), plan.tasks());
+  for (const std::string& warning : shards.warnings()) print_error("{}\n", warning);
+  const std::string missing = shards.missing();
+  require(missing.empty(), missing + repair(shards.incomplete(), path, results));
+  const StudySummary summary = write_results(
+      batch, folder, [&](std::size_t task) { return shards.read(task); }, results,
+      options.overwrite);
+  append_log(
+      fs::path(results).replace_extension(".log"),
+      shards.logs() + log_entry(path, "merged", fmt::format("{} runs", summary.counts.runs)));
+  shards.remove();
+  print_study(batch, results, summary, 0, options.json);
+  return summary.counts.failed > 0 ? 3 : 0;
+}
+
 }  // namespace
 
 void add_submit(Commands& commands) {
@@ -253,6 +463,32 @@ void add_submit(Commands& commands) {
         add("--script FILE", options.script,
             "The script (default: <name of the job>.sbatch, .pbs or .bsub)");
         add("--overwrite", options.overwrite, "Replace files that exist");
+      });
+}
+
+void add_status(Commands& commands) {
+  commands.add<StatusOptions>(
+      {"status", "Report the progress of shards, also while they run",
+       "gurney status ventilator.h5.shards"},
+      status_command, [](Options& add, StatusOptions& options) {
+        add.required("FOLDER", options.folder,
+                     "The folder of the shards, FILE.h5.shards, or of one study, FILE.h5.parts");
+        add("--json", options.json, "Print it as JSON");
+      });
+}
+
+void add_merge(Commands& commands) {
+  commands.add<MergeOptions>(
+      {"merge", "Merge the shards of a study into its results file",
+       "gurney merge ventilator.h5.shards\n"
+       "gurney merge ventilator.h5.shards --job ventilator.toml -o all.h5"},
+      merge_command, [](Options& add, MergeOptions& options) {
+        add.required("FOLDER", options.folder, "The folder of the shards: FILE.h5.shards");
+        add("-o,--output FILE", options.output,
+            "The results file (default: FILE.h5 of the folder's name)");
+        add("--job FILE", options.job, "The job file (default: where the shards found it)");
+        add("--overwrite", options.overwrite, "Replace files that exist");
+        add("--json", options.json, "Print the summary as JSON");
       });
 }
 

@@ -6,6 +6,7 @@
 #include "studies/analysis/fragility_result.h"
 #include "studies/figures/chart.h"
 #include "studies/report/comparison_report.h"
+#include "studies/report/study_report.h"
 
 namespace gurney::figures {
 
@@ -21,5 +22,13 @@ std::string comparison_figure(const report::ComparisonReport& report);
 /// A panel for each result: its runs in the plane of both measures, and where P is 16, 50 and 84 %.
 std::string vector_figure(const study::StudyData& data,
                           const std::vector<study::VectorResult>& results);
+
+/// Indices with their intervals, and beside them the tornado.
+std::string sensitivity_figure(const report::SensitivityReport& report);
+
+/// A tornado for each report: means of the output over the runs in which an input is low, and over
+/// those in which it is high; the longest bars above.
+std::string tornado_figure(const PlotPage& page, const std::string& title,
+                           const std::vector<report::SensitivityReport>& reports);
 
 }  // namespace gurney::figures
