@@ -21,31 +21,32 @@ struct HospitalOptions {
   std::string file, job, run;
   study::HospitalRequest request;
   FigureFile figure;
-  bool json = false, overwrite = false;
+  bool json = false;
 };
 
 /// Writes the hospital's job beside the results and runs it; what is there already is not run again.
 int run_hospital(const HospitalOptions& options, const std::string& job) {
   const std::filesystem::path path = std::filesystem::path(options.run).replace_extension(".toml");
   if (!is_there(path) || read_input_file(path.string()) != job)
-    write_output(path.string(), job, options.overwrite, true);
+    write_output(path.string(), job, options.figure.overwrite, true);
   RunOptions run;
   run.job = path.string();
   run.output = options.run;
   run.quiet = run.json = options.json;
   run.quiet = true;
   run.resume = is_there(options.run) || is_there(options.run + ".parts");
-  run.overwrite = options.overwrite;
+  run.overwrite = options.figure.overwrite;
   run.threads = options.request.threads;
   return run_study(run);
 }
 
 int hospital(const HospitalOptions& options) {
-  options.figure.check(options.overwrite);
+  options.figure.check();
   const study::Hospital hospital = study::read_hospital(options.file);
   const auto consequences = study::Consequences::read(hospital.consequences);
   if (!options.job.empty()) {
-    write_output(options.job, study_job(hospital, consequences), options.overwrite, options.json);
+    write_output(options.job, study_job(hospital, consequences), options.figure.overwrite,
+                 options.json);
     return 0;
   }
   study::HospitalRequest request = options.request;
@@ -57,8 +58,7 @@ int hospital(const HospitalOptions& options) {
     request.results = options.run;
   }
   const study::HospitalAnswer answer = hospital_answer(hospital, consequences, request);
-  if (!options.figure.empty())
-    options.figure.write(figures::hospital_figure(hospital, answer), options.overwrite, true);
+  options.figure.write([&] { return figures::hospital_figure(hospital, answer); }, true);
   print_findings(report::hospital_findings(hospital, answer), options.json);
   return code;
 }
@@ -91,8 +91,8 @@ void add_hospital(Commands& commands) {
         add("--samples", options.request.samples, "Samples of the motion (default: 10000)")
             ->check(CLI::Range(std::size_t{100}, std::size_t{10000000}));
         add("--seed", options.request.seed, "Seed of the samples (default: 1)");
-        add_figure_option(add, options.figure, "Draw services, beds and ranking");
-        add("--overwrite", options.overwrite, "Replace files that exist");
+        add_figure_option(add, options.figure, "Draw services, beds and ranking", "--figure FILE",
+                          "files that exist");
         add.threads(options.request.threads, "Threads (default: all cores)");
         add("--json", options.json, "Print JSON");
       });
