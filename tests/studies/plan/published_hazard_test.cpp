@@ -103,16 +103,11 @@ std::string curve(const std::string& imt, const std::string& xs, const std::stri
          xs + R"(], "ys": [)" + ys + "]}}]}";
 }
 
-constexpr const char *kBefore = R"({"status": "success", "response": [{
+constexpr const char* kBefore = R"j({"status": "success", "response": [{
   "metadata": {"imt": {"value": "SA0P2", "display": "0.2 s"}, "xlabel": "Ground Motion (g)",
-                     "xvalues" : [ 0.01, 0.1, 1, 2 ]
-}
-, "data" : [
-  {"component" : "Total", "yvalues" : [ 0.4, 0.03, 5e-4, 0 ]},
-  {"component" : "Grid", "yvalues" : [ 0.2, 0.02, 4e-4, 0 ]}
-]
-}]
-})";
+               "xvalues": [0.01, 0.1, 1, 2]},
+  "data": [{"component": "Total", "yvalues": [0.4, 0.03, 5e-4, 0]},
+           {"component": "Grid", "yvalues": [0.2, 0.02, 4e-4, 0]}]}]})j";
 
 class UsgsHazardTest : public testing::Test {
  protected:
