@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
 #include <string>
@@ -17,68 +16,42 @@ namespace gurney::groundmotions {
 
 namespace {
 
-struct QuantityWord {
-  std::string_view start;  ///< of a word, in lower case
+struct QuantityWords {
   std::string_view name;
+  std::string_view words;  ///< in lower case, blanks part them
 };
 
-/// Columns of laboratories and of other programs that are no accelerations.
-constexpr std::array kQuantities = {
-    QuantityWord{"vel", "velocity"},      QuantityWord{"disp", "displacement"},
-    QuantityWord{"lvdt", "displacement"}, QuantityWord{"volt", "voltage"},
-    QuantityWord{"force", "force"},       QuantityWord{"load", "force"},
-    QuantityWord{"strain", "strain"},     QuantityWord{"stress", "stress"},
-    QuantityWord{"press", "pressure"},    QuantityWord{"temperat", "temperature"},
-    QuantityWord{"humid", "humidity"},    QuantityWord{"gyro", "rotation"},
-    QuantityWord{"rotation", "rotation"}, QuantityWord{"tilt", "rotation"},
-    QuantityWord{"angle", "rotation"},    QuantityWord{"moment", "moment"},
-    QuantityWord{"torque", "moment"},     QuantityWord{"arias", "intensity"},
-    QuantityWord{"husid", "intensity"},   QuantityWord{"intens", "intensity"},
-    QuantityWord{"energy", "energy"},     QuantityWord{"jerk", "jerk"}};
+/// Starts of words for columns of laboratories and of other programs that are no accelerations.
+constexpr QuantityWords kQuantities[] = {
+    {"velocity", "vel"},         {"displacement", "disp lvdt"},
+    {"voltage", "volt"},         {"force", "force load"},
+    {"strain", "strain"},        {"stress", "stress"},
+    {"pressure", "press"},       {"temperature", "temperat"},
+    {"humidity", "humid"},       {"rotation", "gyro rotation tilt angle"},
+    {"moment", "moment torque"}, {"intensity", "arias husid intens"},
+    {"energy", "energy"},        {"jerk", "jerk"}};
 
-constexpr std::array kUnits = {QuantityWord{"v", "voltage"},
-                               QuantityWord{"mv", "voltage"},
-                               QuantityWord{"volt", "voltage"},
-                               QuantityWord{"volts", "voltage"},
-                               QuantityWord{"kn", "force"},
-                               QuantityWord{"lbf", "force"},
-                               QuantityWord{"lb", "force"},
-                               QuantityWord{"lbs", "force"},
-                               QuantityWord{"kip", "force"},
-                               QuantityWord{"kips", "force"},
-                               QuantityWord{"kgf", "force"},
-                               QuantityWord{"pa", "pressure"},
-                               QuantityWord{"kpa", "pressure"},
-                               QuantityWord{"mpa", "pressure"},
-                               QuantityWord{"psi", "pressure"},
-                               QuantityWord{"ksi", "pressure"},
-                               QuantityWord{"rad", "rotation"},
-                               QuantityWord{"rad/s", "rotation"},
-                               QuantityWord{"deg", "rotation"},
-                               QuantityWord{"deg/s", "rotation"},
-                               QuantityWord{"degc", "temperature"},
-                               QuantityWord{"\xc2\xb0", "rotation"},
-                               QuantityWord{"\xc2\xb0"
-                                            "c",
-                                            "temperature"},
-                               QuantityWord{"strain", "strain"},
-                               QuantityWord{"ustrain", "strain"},
-                               QuantityWord{"microstrain", "strain"},
-                               QuantityWord{"hz", "frequency"},
-                               QuantityWord{"m/s3", "jerk"},
-                               QuantityWord{"g/s", "jerk"},
-                               QuantityWord{"\xc2\xb0/s", "rotation"},
-                               QuantityWord{"m2/s3", "energy"}};
+constexpr QuantityWords kUnits[] = {{"voltage", "v mv volt volts"},
+                                    {"force", "kn lbf lb lbs kip kips kgf"},
+                                    {"pressure", "pa kpa mpa psi ksi"},
+                                    {"rotation", "rad rad/s deg deg/s \xc2\xb0 \xc2\xb0/s"},
+                                    {"temperature",
+                                     "degc \xc2\xb0"
+                                     "c"},
+                                    {"strain", "strain ustrain microstrain"},
+                                    {"frequency", "hz"},
+                                    {"jerk", "m/s3 g/s"},
+                                    {"energy", "m2/s3"}};
 
-/// QuantityWord of a column that is no acceleration by its name or unit; empty if neither says it.
+/// The quantity of a column that is no acceleration by its name or unit; empty if neither says it.
 std::string foreign_quantity(std::string_view name, std::string_view unit) {
   const std::string plain = plain_unit(unit), text = lower(name);
-  for (const auto& [spelling, quantity] : kUnits)
-    if (plain == spelling) return std::string(quantity);
+  for (const auto& [quantity, spellings] : kUnits)
+    if (is_one_of(plain, spellings)) return std::string(quantity);
   if (time_unit(unit)) return "time";
   for (const auto word : words_of(text, " \t,;:.-_/#*"))
-    for (const auto& [start, quantity] : kQuantities)
-      if (word.starts_with(start)) return std::string(quantity);
+    for (const auto& [quantity, starts] : kQuantities)
+      if (begins_with_one_of(word, starts)) return std::string(quantity);
   return {};
 }
 
@@ -180,18 +153,15 @@ ColumnTitle parsed(const std::string& text) {
 
 /// Words that say nothing of a direction.
 bool is_filler(std::string_view word) {
-  constexpr std::array<std::string_view, 9> kStarts = {"ACC", "GROUND", "MOTION", "COMP",  "CHAN",
-                                                       "DIR", "SENSOR", "ACEL",   "RECORD"};
   const auto rest = word.starts_with("CH") ? word.substr(2) : word;
   return word == "A" || rest.find_first_not_of("0123456789") == kNone ||
-         std::ranges::any_of(kStarts, [&](auto start) { return word.starts_with(start); });
+         begins_with_one_of(word, "ACC GROUND MOTION COMP CHAN DIR SENSOR ACEL RECORD");
 }
 
 /// "Z" of AZ and ACCZ, "EW" of ACCEW; other words as they are.
 std::string_view without_quantity(std::string_view word) {
-  constexpr std::array<std::string_view, 8> kAxes = {"E", "N", "Z", "U", "V", "EW", "NS", "UD"};
   for (const std::string_view start : {"ACCEL", "ACC", "A"})
-    if (word.starts_with(start) && is_one_of(word.substr(start.size()), kAxes))
+    if (word.starts_with(start) && is_one_of(word.substr(start.size()), "E N Z U V EW NS UD"))
       return word.substr(start.size());
   return word;
 }
@@ -235,10 +205,7 @@ bool in_brackets_whole(std::string_view text) {
          text.find_first_of(")]") == text.size() - 1;
 }
 
-std::string_view without_mark(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of("#%/ \t"), line.size()));
-  return line;
-}
+std::string_view without_mark(std::string_view line) { return left_trimmed(line, "#%/ \t"); }
 
 std::vector<std::string_view> apart_by_two_blanks(std::string_view line) {
   std::vector<std::string_view> words;
@@ -331,21 +298,16 @@ bool is_unit_row(const Cells& cells) {
 
 /// `Units: g`, `cm/s2; dt=0.01`, `recorded in g`, `Acc m/s2`: no titles although the words fit.
 bool is_statement(const Cells& cells) {
-  constexpr std::array<std::string_view, 13> kLinks = {
-      "in", "of", "at", "from", "the", "and", "by", "for", "is", "with", "to", "on", "are"};
-  constexpr std::array<std::string_view, 12> kKeys = {
-      "unit",  "dt",   "npts",   "time step", "sampling",  "station",
-      "event", "date", "record", "file",      "component", "channels"};
+  constexpr std::string_view kLinks = "in of at from the and by for is with to on are";
+  constexpr std::string_view kKeys =
+      "unit dt npts sampling station event date record file component channels";
   const auto& texts = cells.texts;
   const std::string first = lower(texts[0]);
-  const auto has_key = [&](std::string_view key) {
-    return first.starts_with(key) && first.find(':') != std::string::npos;
-  };
-  if (std::ranges::any_of(kKeys, has_key) || first.ends_with(':')) return true;
+  const bool has_key = begins_with_one_of(first, kKeys) || first.starts_with("time step");
+  if (first.ends_with(':') || (has_key && first.find(':') != kNone)) return true;
   for (const std::string& text : texts) {
     if (text.find('=') != std::string::npos) return true;
-    const bool is_link =
-        text.ends_with(':') || std::ranges::find(kLinks, lower(text)) != kLinks.end();
+    const bool is_link = text.ends_with(':') || is_one_of(lower(text), kLinks);
     if (cells.by_blanks && is_link) return true;
   }
   return cells.by_blanks && quantity_in(texts[0]) == "acceleration" &&
@@ -435,45 +397,41 @@ bool is_unit_of_something(std::string_view text) {
   text = trimmed(text);
   const bool in_brackets = text.size() > 1 && std::string_view("([").find(text.front()) != kNone;
   const std::string plain = plain_unit(text);
-  return is_unit(text) || std::ranges::find(kUnits, plain, &QuantityWord::start) != kUnits.end() ||
+  return is_unit(text) ||
+         std::ranges::any_of(kUnits,
+                             [&](const auto& each) { return is_one_of(plain, each.words); }) ||
          (in_brackets && (plain == "v" || plain == "n" || plain == "c" || plain == "%"));
 }
 
 bool names_time(const ColumnTitle& title) {
-  constexpr std::array<std::string_view, 7> kStarts = {"time", "tempo", "tiempo", "temps",
-                                                       "zeit", "zaman", "tijd"};
   const std::string name = letters(title.name);
   return name == "t" || (name.empty() && time_unit(title.unit)) ||
-         std::ranges::any_of(kStarts, [&](auto start) { return name.starts_with(start); });
+         begins_with_one_of(name, "time tempo tiempo temps zeit zaman tijd");
 }
 
 bool names_index(const ColumnTitle& title) {
-  constexpr std::array<std::string_view, 15> kNames = {
-      "",       "no",   "n",   "i",     "nr",   "num", "number", "index",
-      "sample", "step", "row", "point", "scan", "id",  "unnamed"};
+  constexpr std::string_view kNames =
+      "no n i nr num number index sample samples step row point points scan id unnamed";
   const std::string name = letters(title.name);
-  return title.unit.empty() && (is_one_of(name, kNames) || name == "samples" || name == "points");
+  return title.unit.empty() && (name.empty() || is_one_of(name, kNames));
 }
 
 bool names_period(const ColumnTitle& title) {
-  constexpr std::array<std::string_view, 5> kNames = {"tn", "f", "fn", "freq", "omega"};
   const std::string name = letters(title.name), unit = plain_unit(title.unit);
-  return name.find("period") != kNone || name.starts_with("per") || name.starts_with("freq") ||
-         name.starts_with("frec") || name.starts_with("frek") || is_one_of(name, kNames) ||
-         unit == "hz" || unit == "rad/s" || unit == "1/s" || lower(title.name) == "hz";
+  return name.find("period") != kNone || begins_with_one_of(name, "per freq frec frek") ||
+         is_one_of(name, "tn f fn freq omega") || is_one_of(unit, "hz rad/s 1/s") ||
+         lower(title.name) == "hz";
 }
 
 bool names_ordinate(const ColumnTitle& title, bool beside_time) {
-  constexpr std::array<std::string_view, 14> kNames = {"sa",  "psa", "rsa",  "psv",   "fas",
-                                                       "ars", "uhs", "sae",  "spa",   "target",
-                                                       "mce", "dbe", "mcer", "design"};
-  constexpr std::array<std::string_view, 4> kShort = {"se", "sd", "sv", "response"};
+  constexpr std::string_view kNames =
+      "sa psa rsa psv fas ars uhs sae spa target mce dbe mcer design";
   std::string name = lower(title.name);
   if (name.starts_with("s_")) name.erase(1, 1);  // "S_a"
   const auto words = words_of(name, " \t_-.,:;/#*|0123456789%");
   if (words.empty()) return false;
-  return is_one_of(words[0], kNames) || words[0].starts_with("rotd") ||
-         words[0].starts_with("spectr") || (!beside_time && is_one_of(words[0], kShort));
+  return is_one_of(words[0], kNames) || begins_with_one_of(words[0], "rotd spectr") ||
+         (!beside_time && is_one_of(words[0], "se sd sv response"));
 }
 
 std::vector<ColumnTitle> parsed_titles(const std::vector<std::string>& titles) {

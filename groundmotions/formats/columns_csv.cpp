@@ -17,6 +17,7 @@
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/formats/stated.h"
 #include "groundmotions/formats/time_column.h"
+#include "groundmotions/formats/words.h"
 #include "groundmotions/formats/writers.h"
 
 namespace gurney::groundmotions {
@@ -25,7 +26,7 @@ namespace {
 
 struct Column {
   std::string name;
-  std::string unit;
+  const char* unit;
   double to_si;
   std::optional<Direction> direction;
 };
@@ -160,7 +161,8 @@ bool recognises_columns_csv(const SourceFile& file) {
 ///         number, times that are not evenly spaced, a file that ends within a row,
 ///         and azimuths or starts that cannot be read.
 std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOptions& options) {
-  FileErrors errors(file);
+  LayoutReader in(file, options);
+  FileErrors& errors = in.errors;
   const std::size_t head = header_line(file);
   const auto columns = columns_of(file, head, errors);
   if (!file.ends_with_line_end())
@@ -186,7 +188,7 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
       values[k].push_back(value.value_or(0));
     }
   }
-  check_enough(static_cast<double>(lines.size()), 0, errors);
+  in.check_enough(static_cast<double>(lines.size()), 0);
   errors.throw_if_any();
   const double step = even_step(values[0], lines, errors);
   check_options(options, step, errors);
@@ -194,12 +196,9 @@ std::vector<Component> read_columns_csv(const SourceFile& file, const ReadOption
 
   std::vector<Component> components;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    Component component;
+    Component component = component_of(values[k + 1], {columns[k]->unit, columns[k]->to_si}, step);
     component.name = columns[k]->name;
-    component.time_step = step;
-    component.unit = columns[k]->unit;
     component.direction = columns[k]->direction;
-    component.acceleration = scaled(values[k + 1], columns[k]->to_si);
     if (const auto late = late_start(values[0][0], step); k == 0 && !late.empty())
       component.warnings.push_back(late);
     components.push_back(std::move(component));
@@ -246,7 +245,6 @@ std::string columns_csv_facts(const Record& record) {
 
 void read_columns_csv_facts(const SourceFile& file, std::size_t head,
                             std::vector<Component>& components, FileErrors& errors) {
-  static constexpr std::array<std::string_view, 4> kPlaces = {"h1", "h2", "vertical", "a"};
   for (std::size_t i = 0; i < head; ++i) {
     std::string_view line = trimmed(file.lines()[i]);
     if (line.empty()) continue;
@@ -254,7 +252,7 @@ void read_columns_csv_facts(const SourceFile& file, std::size_t head,
     const auto colon = std::min(line.find(':'), line.size());
     const std::string_view place = line.substr(0, colon);
     const std::string_view fact = trimmed(line.substr(std::min(colon + 1, line.size())));
-    if (std::ranges::find(kPlaces, place) == kPlaces.end()) continue;
+    if (!is_one_of(place, "h1 h2 vertical a")) continue;
     if (!fact.starts_with(kAzimuth) && !fact.starts_with(kStart)) continue;
     const auto at = std::ranges::find(components, place, place_of);
     const std::string wrong = at == components.end()

@@ -149,23 +149,6 @@ bool FieldReader::read_freely(std::size_t index, std::size_t count,
   return true;
 }
 
-std::optional<std::string_view> value_behind(const std::vector<std::string_view>& lines,
-                                             std::string_view key, std::size_t& line) {
-  const auto at = std::ranges::find_if(
-      lines, [&](std::string_view text) { return trimmed(text).starts_with(key); });
-  if (at == lines.end()) return {};
-  line = static_cast<std::size_t>(at - lines.begin());
-  const auto colon = at->find(':', at->find(key) + key.size() - 1);
-  return colon == at->npos ? std::string_view() : trimmed(at->substr(colon + 1));
-}
-
-std::string_view needed_behind(const std::vector<std::string_view>& lines, std::string_view key,
-                               std::size_t& line, FileErrors& errors) {
-  const auto found = value_behind(lines, key, line);
-  if (!found) errors.add(fmt::format("the header lacks '{}'", key));
-  return found.value_or("");
-}
-
 double rounding_of(std::string_view printed) {
   const auto point = printed.find('.');
   if (point == printed.npos) return 0.5;

@@ -54,16 +54,6 @@ class FieldReader {
   FileErrors& errors_;
 };
 
-/// Text behind the colon of the first line in `lines` that starts with `key` (blanks before
-/// it apart), trimmed; nothing if there is none.
-/// @param line  index of that line from 0
-std::optional<std::string_view> value_behind(const std::vector<std::string_view>& lines,
-                                             std::string_view key, std::size_t& line);
-
-/// Text behind the colon of a line that must be there.
-std::string_view needed_behind(const std::vector<std::string_view>& lines, std::string_view key,
-                               std::size_t& line, FileErrors& errors);
-
 /// Half of the last digit of a printed number: 0.005 of "11.90", 0.5 of "12".
 double rounding_of(std::string_view printed);
 

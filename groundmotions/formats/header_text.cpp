@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -20,24 +19,22 @@ using Words = std::vector<std::string_view>;
 
 /// Velocities and displacements that are no samples.
 bool is_of_something_else(const Words& words, std::size_t i) {
-  constexpr std::array<std::string_view, 16> kBefore = {
-      "WAVE", "SHEAR", "S-WAVE",  "P-WAVE",  "S",     "P",        "GROUP",    "PHASE",
-      "PEAK", "MAX",   "MAXIMUM", "RUPTURE", "FAULT", "RESIDUAL", "SAMPLING", "PERMANENT"};
-  constexpr std::array<std::string_view, 4> kAfter = {"MODEL", "PROFILE", "STRUCTURE", "PULSE"};
+  constexpr std::string_view kBefore =
+      "WAVE SHEAR S-WAVE P-WAVE S P GROUP PHASE PEAK MAX MAXIMUM RUPTURE FAULT RESIDUAL SAMPLING "
+      "PERMANENT";
   return (i > 0 && is_one_of(words[i - 1], kBefore)) ||
-         (i + 1 < words.size() && is_one_of(words[i + 1], kAfter));
+         (i + 1 < words.size() && is_one_of(words[i + 1], "MODEL PROFILE STRUCTURE PULSE"));
 }
 
 bool speaks_of_peaks(std::string_view line) {
-  constexpr std::array<std::string_view, 8> kPeaks = {"PEAK", "PGA", "PGV",     "PGD",
-                                                      "MAX",  "MIN", "MAXIMUM", "MINIMUM"};
-  return std::ranges::any_of(kPeaks, [&](auto word) { return find_word(line, word) != kNone; });
+  return std::ranges::any_of(words_of("PEAK PGA PGV PGD MAX MIN MAXIMUM MINIMUM", " "),
+                             [&](auto word) { return find_word(line, word) != kNone; });
 }
 
 /// Text that follows the word `unit`: "OF G. FILTER...", "(g)", ": cm / s2", "= SEC AND G".
 std::optional<std::string_view> behind_unit(std::string_view rest) {
   for (bool again = true; again;) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t(=:[-"), rest.size()));
+    rest = left_trimmed(rest, " \t(=:[-");
     again = false;
     for (const std::string_view filler : {"OF ", "ARE ", "IS ", "IN ", "ACCELERATION"})
       if (rest.starts_with(filler)) {
@@ -60,7 +57,7 @@ std::optional<std::string_view> behind_unit(std::string_view rest) {
 
 /// Whether a value follows: "Vs30 (m/s): 379".
 bool is_of_a_value(std::string_view behind) {
-  behind.remove_prefix(std::min(behind.find_first_not_of(" \t)]."), behind.size()));
+  behind = left_trimmed(behind, " \t)].");
   if (behind.empty() || (behind[0] != ':' && behind[0] != '=')) return false;
   auto rest = trimmed(behind.substr(1));
   return take_number(rest).has_value();
@@ -83,8 +80,8 @@ std::string_view unit_of_words(std::string_view line, const Words& words, std::s
 /// Whether a lone "g" or "mg" is a unit by the words beside it: "ACCELERATION, G", "UNITS G",
 /// "FRACTION OF G", or nothing at all.
 bool is_lone_unit(const Words& words, std::size_t i) {
-  constexpr std::array<std::string_view, 8> kShares = {
-      "FRACTION", "FRACTIONS", "TERMS", "UNIT", "UNITS", "MULTIPLE", "MULTIPLES", "PARTS"};
+  constexpr std::string_view kShares =
+      "FRACTION FRACTIONS TERMS UNIT UNITS MULTIPLE MULTIPLES PARTS";
   std::size_t before = i;
   while (before > 0 && words[before - 1].find_first_not_of("-_/|#%*") == kNone) --before;
   if (before == 0) return i + 1 == words.size() || is_one_of(words[i + 1], kShares);
@@ -120,9 +117,7 @@ std::optional<std::string_view> unit_elsewhere(std::string_view line) {
 std::optional<double> keyed(std::string_view rest, bool is_rate) {
   constexpr std::string_view kBetween = " \t=:,";
   std::string_view unit;
-  const auto skip = [&] {
-    rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
-  };
+  const auto skip = [&] { rest = left_trimmed(rest, kBetween); };
   skip();
   if (rest.starts_with('(') || rest.starts_with('[')) {
     unit = in_brackets(rest);
@@ -137,7 +132,7 @@ std::optional<double> keyed(std::string_view rest, bool is_rate) {
   if (unit.empty()) unit = trimmed(rest).substr(0, trimmed(rest).find_first_of(" \t,;)"));
   const auto seconds = time_unit(unit);
   if (seconds) return *value * *seconds;
-  unit.remove_prefix(std::min(unit.find_first_not_of("(["), unit.size()));
+  unit = left_trimmed(unit, "([");
   const bool is_per_second =
       unit.starts_with("HZ") || unit.starts_with("SPS") || unit.find("/S") != kNone;
   // "Sampling rate: 0.01" is a step.
@@ -149,21 +144,17 @@ std::optional<double> keyed(std::string_view rest, bool is_rate) {
 std::optional<std::string_view> quantity_in(std::string_view text) {
   const std::string line = upper(text);
   const auto words = words_of(line, " \t,;:()[]=.#%*\"");
-  const auto begins = [](std::string_view word, std::initializer_list<std::string_view> starts) {
-    return std::ranges::any_of(starts, [&](auto start) { return word.starts_with(start); });
-  };
-  const auto acceleration = [&](std::string_view word) {
-    return begins(word,
-                  {"ACCEL", "ACELER", "ACC\xc3\xa9L", "BESCHLEUNIG", "IVME", "\xc4\xb0VME"}) ||
-           word == "ACC";
+  const auto acceleration = [](std::string_view word) {
+    return word == "ACC" ||
+           begins_with_one_of(word, "ACCEL ACELER ACC\xc3\xa9L BESCHLEUNIG IVME \xc4\xb0VME");
   };
   if (std::ranges::any_of(words, acceleration)) return "acceleration";
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool velocity =
-        begins(words[i], {"VELOC", "VITESSE", "GESCHWINDIG"}) || words[i] == "VEL";
+        words[i] == "VEL" || begins_with_one_of(words[i], "VELOC VITESSE GESCHWINDIG");
     const bool displacement =
-        begins(words[i], {"DISPL", "DESPL", "SPOST", "VERSCHIEB", "DEPLAC", "D\xc3\xa9PLAC"}) ||
-        words[i] == "DISP" || words[i] == "DESP";
+        is_one_of(words[i], "DISP DESP") ||
+        begins_with_one_of(words[i], "DISPL DESPL SPOST VERSCHIEB DEPLAC D\xc3\xa9PLAC");
     if ((velocity || displacement) && !is_of_something_else(words, i))
       return velocity ? "velocity" : "displacement";
   }
@@ -193,19 +184,18 @@ std::optional<std::string_view> unit_text_in(std::string_view text) {
                                      "UNIT\xc3\xa9", "UNITE", "EINHEIT", "BIRIM"})
     if (const auto at = find_word(line, key); !found && at != kNone) {
       const auto rest = std::string_view(line).substr(at + key.size());
-      const auto next = rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
-      constexpr std::array<std::string_view, 4> kLinks = {"OF", "ARE", "IS", "IN"};
+      const auto next = left_trimmed(rest, " \t");
       const auto word = next.substr(0, next.find_first_of(" \t,;"));
       const bool is_statement =
           (!next.empty() && std::string_view(":=([-").find(next[0]) != kNone) ||
-          is_one_of(word, kLinks) || acceleration_unit(word);
+          is_one_of(word, "OF ARE IS IN") || acceleration_unit(word);
       if (is_statement) found = behind_unit(rest);
     }
   if (!found && !speaks_of_peaks(line)) found = unit_elsewhere(line);
   if (!found) return {};
   const auto begin = static_cast<std::size_t>(found->data() - line.data());
   auto unit = text.substr(begin, found->size());
-  unit.remove_prefix(std::min(unit.find_first_not_of("(["), unit.size()));
+  unit = left_trimmed(unit, "([");
   return unit.substr(0, unit.find_last_not_of("]).") + 1);
 }
 
@@ -245,9 +235,7 @@ std::optional<double> count_in(std::string_view text) {
         "NUMERO DE MUESTRAS", "N\xc3\xbaMERO DE MUESTRAS"}) {
     const auto at = find_word(line, key);
     if (at == kNone) continue;
-    auto rest = std::string_view(line).substr(at + key.size());
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
-    const auto count = take_number(rest);
+    const auto count = number_after(std::string_view(line).substr(at), key);
     if (count && *count >= 2 && *count == std::floor(*count)) return count;
   }
   return {};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <string>
@@ -59,33 +58,14 @@ std::optional<double> azimuth_in(std::string_view label) {
 /// Directions that words and SEED codes name, letter case apart.
 bool orient_by_word(std::string_view name, Component& component) {
   // English, Spanish, Portuguese, French, Italian, German and Turkish.
-  constexpr std::array<std::string_view, 12> kNorth = {
-      "N",     "NS",          "N-S",        "SN",        "S-N",  "NORTH",
-      "NORTE", "NORTH-SOUTH", "NORTHSOUTH", "NORTE-SUR", "NORD", "KUZEY"};
-  constexpr std::array<std::string_view, 17> kEast = {
-      "E",    "EW",        "E-W",      "WE",  "W-E", "EO",    "E-O",  "O-E",        "EAST",
-      "ESTE", "EAST-WEST", "EASTWEST", "EST", "OST", "LESTE", "DOGU", "DO\xc4\x9fU"};
-  constexpr std::array<std::string_view, 19> kUp = {"U",
-                                                    "UP",
-                                                    "UD",
-                                                    "U-D",
-                                                    "DU",
-                                                    "D-U",
-                                                    "V",
-                                                    "Z",
-                                                    "VER",
-                                                    "VERT",
-                                                    "VRT",
-                                                    "UPDO",
-                                                    "UP-DOWN",
-                                                    "UPDOWN",
-                                                    "VERTICAL",
-                                                    "VERTIKAL",
-                                                    "VERTICALE",
-                                                    "DUSEY",
-                                                    "D\xc3\xbc\xc5\x9f"
-                                                    "EY"};
-  constexpr std::array<std::string_view, 3> kDown = {"DN", "DWN", "DOWN"};
+  constexpr std::string_view kNorth =
+      "N NS N-S SN S-N NORTH NORTE NORTH-SOUTH NORTHSOUTH NORTE-SUR NORD KUZEY";
+  constexpr std::string_view kEast =
+      "E EW E-W WE W-E EO E-O O-E EAST ESTE EAST-WEST EASTWEST EST OST LESTE DOGU DO\xc4\x9fU";
+  constexpr std::string_view kUp =
+      "U UP UD U-D DU D-U V Z VER VERT VRT UPDO UP-DOWN UPDOWN VERTICAL VERTIKAL VERTICALE DUSEY "
+      "D\xc3\xbc\xc5\x9f"
+      "EY";
 
   std::string code = upper(trimmed(name));
   std::ranges::replace(code, '_', '-');
@@ -98,7 +78,7 @@ bool orient_by_word(std::string_view name, Component& component) {
     component.azimuth = 90 * kRadiansPerDegree;
   } else if (is_one_of(code, kUp)) {
     component.direction = Direction::kVertical;
-  } else if (is_one_of(code, kDown)) {
+  } else if (is_one_of(code, "DN DWN DOWN")) {
     turn_up(trimmed(name), component);
   } else if (code == "SOUTH" || code == "WEST") {
     component.azimuth = (code == "SOUTH" ? 180 : 270) * kRadiansPerDegree;
@@ -129,6 +109,11 @@ void orient(std::string_view name, Component& component) {
   } else if (!orient_by_word(code, component)) {
     if (const auto azimuth = azimuth_in(code)) component.azimuth = *azimuth * kRadiansPerDegree;
   }
+}
+
+void name_and_orient(std::string_view name, Component& component) {
+  component.name = name;
+  orient(name, component);
 }
 
 bool says_direction(std::string_view name) {

@@ -21,6 +21,9 @@ namespace gurney::groundmotions {
 /// Any other name (L, T, H1, HN2) sets nothing. To be called when the samples are there.
 void orient(std::string_view name, Component& component);
 
+/// Names a component as its file does and orients it by this name.
+void name_and_orient(std::string_view name, Component& component);
+
 /// Azimuth or vertical of a component as a label in a header says it: "90 DEG", "N08W", "UP",
 /// "Roof, N wall: 275 deg", "VERT", "DOWN" (turned to up, with a warning), the words of orient()
 /// where they are all of the label (NS, E-W), SEED codes that it begins with ("BNZ 00"). Labels

@@ -48,8 +48,7 @@ struct Header {
 void find_entry(std::string_view line, std::string_view key, std::size_t index, Entry& entry) {
   const auto at = find_word(line, key);
   if (at == kNone || entry.value) return;
-  auto rest = line.substr(at + key.size());
-  rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
+  auto rest = left_trimmed(line.substr(at + key.size()), " \t=:");
   const auto value = key == "DT" ? leading_time(rest) : take_number(rest);
   if (value) entry = {value, index};
 }
@@ -164,8 +163,7 @@ void name_component(const SourceFile& file, const Header& header, Component& com
   const auto field = last_field(event);
   if (name_rotated(file, header, component)) return;
   if (is_component_name(field)) {
-    component.name = field;
-    orient(component.name, component);
+    name_and_orient(field, component);
     return;
   }
   const std::size_t end = std::min(header.first_data_line(), file.lines().size());
@@ -175,38 +173,15 @@ void name_component(const SourceFile& file, const Header& header, Component& com
 }
 
 /// The lines above the samples speak of a velocity or a displacement.
-void refuse_other_quantities(const SourceFile& file, const Header& header, FileErrors& errors) {
-  const auto& lines = file.lines();
+void refuse_other_quantities(const Header& header, LayoutReader& in) {
+  const auto& lines = in.file.lines();
   const std::size_t end = std::min(header.first_data_line(), lines.size());
   const auto other = other_quantity_in({lines.begin(), lines.begin() + static_cast<long>(end)});
-  if (!other) return;
-  errors.add(other->line + 1, 1,
-             fmt::format("a record must be acceleration, but this is a {} file ('{}'); "
-                         "take the .AT2 file of this component",
-                         other->quantity, trimmed(lines[other->line])));
-  errors.throw_if_any();
-}
-
-double time_step_of(const Header& header, const ReadOptions& options, FileErrors& errors) {
-  const auto& [value, line] = header.time_step;
-  return value ? checked_time_step(*value, "DT", line + 1, options, errors)
-               : agreed_time_step({}, 0, options, errors);
-}
-
-AccelerationUnit unit_of(const Header& header, const ReadOptions& options, FileErrors& errors) {
-  return header.unit.empty() ? agreed_unit({}, 0, options, errors)
-                             : checked_unit(header.unit, header.unit_line + 1, options, errors);
-}
-
-void check_samples(const Header& header, std::size_t count, Component& component,
-                   FileErrors& errors) {
-  if (header.samples.value) {
-    check_count(*header.samples.value, "NPTS", header.samples.line + 1, count, errors);
-    return;
-  }
-  component.warnings.push_back(
-      fmt::format("the header states no NPTS: all {} numbers were taken", count));
-  check_enough(static_cast<double>(count), 0, errors);
+  if (other)
+    in.refuse(other->line + 1,
+              fmt::format("a record must be acceleration, but this is a {} file ('{}'); "
+                          "take the .AT2 file of this component",
+                          other->quantity, trimmed(lines[other->line])));
 }
 
 /// `2000 0.0200` alone on the line after the header.
@@ -272,33 +247,41 @@ bool recognises_peer_at2(const SourceFile& file) {
 /// @throws Error for a velocity or displacement file (VT2, DT2), an unknown unit, a missing time
 ///         step, text among the numbers, or a count that is not NPTS.
 std::vector<Component> read_peer_at2(const SourceFile& file, const ReadOptions& options) {
-  FileErrors errors(file);
+  LayoutReader in(file, options);
   Header header = header_of(file);
   find_bare_pair(file, header);
-  refuse_other_quantities(file, header, errors);
-
-  Component component;
-  component.time_step = time_step_of(header, options, errors);
-  const AccelerationUnit unit = unit_of(header, options, errors);
-  component.unit = unit.name;
-  NumberReader reader(file, errors);
+  refuse_other_quantities(header, in);
+  const Entry &samples = header.samples, &step = header.time_step;
+  const double time_step = step.value ? in.checked_time_step({*step.value, "DT", step.line + 1})
+                                      : in.agreed_time_step({}, 0);
+  const AccelerationUnit unit = header.unit.empty()
+                                    ? in.agreed_unit({}, 0)
+                                    : in.checked_unit(header.unit, header.unit_line + 1);
+  std::vector<std::string> warnings;
   std::size_t first = header.first_data_line();
   for (; first < file.lines().size() && is_text_line(file.lines()[first]); ++first)
-    component.warnings.push_back(fmt::format("a line of text after the header, skipped: '{}'",
-                                             trimmed(file.lines()[first]).substr(0, 60)));
+    warnings.push_back(fmt::format("a line of text after the header, skipped: '{}'",
+                                   trimmed(file.lines()[first]).substr(0, 60)));
+  NumberReader reader(file, in.errors);
   read_to_end(file, first, reader);
-  if (!errors.any()) check_samples(header, reader.values().size(), component, errors);
-  if (const auto error = axis_error(reader.values()); !error.empty())
-    errors.add(first + 1, 1, error);
-  errors.throw_if_any();
+  const std::size_t count = reader.values().size();
+  if (!samples.value)
+    warnings.push_back(fmt::format("the header states no NPTS: all {} numbers were taken", count));
+  if (!in.errors.any() && samples.value)
+    in.check_count({*samples.value, "NPTS", samples.line + 1}, count);
+  else if (!in.errors.any())
+    in.check_enough(static_cast<double>(count), 0);
+  if (const auto error = axis_error(reader.values()); !error.empty()) in.error(first + 1, error);
+  in.errors.throw_if_any();
 
-  component.acceleration = scaled(reader.values(), unit.to_si);
+  Component component = component_of(reader.values(), unit, time_step);
+  component.warnings = warnings;
   component.header.emplace_back("title", trimmed(file.lines()[0]));
   name_component(file, header, component);
   if (header.quantity_line != kNone)
     component.header.emplace_back("quantity", trimmed(file.lines()[header.quantity_line]));
-  if (header.samples.line != kNone)
-    component.header.emplace_back("samples", trimmed(file.lines()[header.samples.line]));
+  if (samples.line != kNone)
+    component.header.emplace_back("samples", trimmed(file.lines()[samples.line]));
   return {component};
 }
 

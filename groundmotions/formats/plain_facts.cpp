@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -165,14 +164,9 @@ std::string doubtful_step(const PlainRows& rows, const ReadOptions& options) {
 
 /// "T (s) Sa (g)" as a sentence: words for a period or a frequency, then for an ordinate.
 bool is_title_of_spectrum(const std::string& line) {
-  constexpr std::array<std::string_view, 7> kFirst = {"t",      "tn",   "f",        "hz",
-                                                      "period", "freq", "frequency"};
-  constexpr std::array<std::string_view, 4> kOrdinates = {"sa", "psa", "rsa", "fas"};
-  const auto is_in = [](const auto& names) {
-    return [&](std::string_view word) { return std::ranges::find(names, word) != names.end(); };
-  };
   const auto words = words_of(line, " \t,;:()[]#%*_-=./");
-  return !words.empty() && is_in(kFirst)(words[0]) && std::ranges::any_of(words, is_in(kOrdinates));
+  return !words.empty() && is_one_of(words[0], "t tn f hz period freq frequency") &&
+         std::ranges::any_of(words, [](auto word) { return is_one_of(word, "sa psa rsa fas"); });
 }
 
 }  // namespace
@@ -236,14 +230,13 @@ LeadingNumbers take_leading_numbers(PlainRows& rows, const ReadOptions& options,
 }
 
 void refuse_spectra(const PlainRows& rows, const SourceFile& file) {
-  constexpr std::array<const char*, 8> kWords = {"psa",     "rotd",  "spectral", "spectrum",
-                                                 "spectra", "arias", "espectro", "spettro"};
   FileErrors errors(file);
   for (const std::string_view line : rows.header) {
     const std::string text = lower(line);
-    const auto word = std::ranges::find_if(
-        kWords, [&](const char* each) { return text.find(each) != std::string::npos; });
-    if (word == kWords.end()) continue;
+    const auto words = words_of("psa rotd spectral spectrum spectra arias espectro spettro", " ");
+    const auto word =
+        std::ranges::find_if(words, [&](auto each) { return text.find(each) != kNone; });
+    if (word == words.end()) continue;
     errors.add(fmt::format(
         "a record must be an acceleration history, but the header speaks of '{}' ('{}')", *word,
         line.substr(0, 80)));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
 #include <vector>
@@ -37,8 +36,7 @@ bool is_text(std::string_view word) {
   if (word.size() > 1 && lower(word)[0] == 'e' && (is_digit(word[1]) || !is_letter(word[1])))
     return false;
   if (word.size() > 1 && lower(word)[0] == 'd' && (word[1] == '-' || word[1] == '+')) return false;
-  constexpr std::array kNoNumbers = {"nan", "inf", "infinity", "na", "null", "none"};
-  return std::ranges::find(kNoNumbers, lower(word)) == kNoNumbers.end();
+  return !is_one_of(lower(word), "nan inf infinity na null none");
 }
 
 /// A word such as "065JZC" or "2nd": it begins with a digit and has two letters in a row.

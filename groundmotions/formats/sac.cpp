@@ -75,7 +75,8 @@ std::optional<SacWords> sac_words(std::string_view bytes) {
   return {};
 }
 
-void check_layout(const SacWords& words, FileErrors& errors) {
+void check_layout(const SacWords& words, LayoutReader& in) {
+  FileErrors& errors = in.errors;
   if (words.integer(kFileType) != kTimeSeries)
     errors.add(
         fmt::format("a SAC file of type {} (a spectrum or a surface), not a time series "
@@ -97,7 +98,7 @@ void check_layout(const SacWords& words, FileErrors& errors) {
   const double count = words.integer(kCount);
   const std::size_t footer = words.integer(kVersion) == 7 ? kFooterBytes : 0;
   const double expected = kHeaderBytes + 4 * count + static_cast<double>(footer);
-  check_enough(count, 0, errors);
+  in.check_enough(count, 0);
   if (count >= 2 && expected != static_cast<double>(words.bytes().size()))
     errors.add(
         fmt::format("{} samples make {:.0f} bytes, but the file has {}: it was cut or "
@@ -117,16 +118,16 @@ double stated_step(const SacWords& words) {
 }
 
 /// The unit of the samples [m/s2]; the header's nominal nm/s2 is seldom what a file holds.
-AccelerationUnit unit_of(const ReadOptions& options, FileErrors& errors) {
-  const auto given = acceleration_unit(options.unit);
-  if (!given && !options.si_per_count)
-    errors.add(
+AccelerationUnit unit_of(LayoutReader& in) {
+  const auto given = acceleration_unit(in.options.unit);
+  if (!given && !in.options.si_per_count)
+    in.errors.add(
         fmt::format("a SAC file does not state its unit; state it as unit = \"...\" or gurney "
                     "records --unit ({}) "
                     "or, of counts, as count_m_per_s2 or gurney records --count (1e-9 for nm/s2)",
                     kAccelerationUnits));
   if (given) return *given;
-  return {"counts", options.si_per_count.value_or(1)};
+  return {"counts", in.options.si_per_count.value_or(1)};
 }
 
 void orient(const SacWords& words, Component& component) {
@@ -195,22 +196,20 @@ bool recognises_sac(const SourceFile& file) { return sac_words(file.bytes()).has
 /// @throws Error for spectra, uneven samples, velocities, displacements and volts, a length that
 ///         is not that of the header, samples that are not finite, and options without a unit.
 std::vector<Component> read_sac(const SourceFile& file, const ReadOptions& options) {
-  FileErrors errors(file);
+  LayoutReader in(file, options);
   const SacWords words = *sac_words(file.bytes());
-  check_layout(words, errors);
-  errors.throw_if_any();
-  Component component;
-  component.time_step = agreed_time_step(stated_step(words), 1, options, errors);
-  const AccelerationUnit unit = unit_of(options, errors);
+  check_layout(words, in);
+  in.errors.throw_if_any();
+  const double time_step = in.agreed_time_step(stated_step(words), 1);
+  const AccelerationUnit unit = unit_of(in);
   Eigen::VectorXd values(words.integer(kCount));
   for (Eigen::Index i = 0; i < values.size(); ++i)
     values[i] = words.real(kData + static_cast<std::size_t>(i));
-  if (!values.allFinite()) errors.add("not all samples are finite numbers");
-  errors.throw_if_any();
+  if (!values.allFinite()) in.errors.add("not all samples are finite numbers");
+  in.errors.throw_if_any();
 
+  Component component = component_of(values, unit, time_step);
   component.name = words.text(20);
-  component.unit = unit.name;
-  component.acceleration = unit.to_si * values;
   if (words.integer(kQuantity) != kAcceleration)
     component.warnings.push_back(
         "the header does not say that the samples are acceleration (IDEP)");

@@ -1,16 +1,28 @@
 #include "groundmotions/formats/words.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <string>
-#include <utility>
 
 #include "groundmotions/formats/numbers.h"
 
 namespace gurney::groundmotions {
 
 bool is_blank(std::string_view line) { return trimmed(line).empty(); }
+
+bool is_one_of(std::string_view word, std::string_view list) {
+  const auto words = words_of(list, " ");
+  return std::ranges::find(words, word) != words.end();
+}
+
+bool begins_with_one_of(std::string_view word, std::string_view list) {
+  return std::ranges::any_of(words_of(list, " "),
+                             [&](std::string_view start) { return word.starts_with(start); });
+}
+
+std::string_view left_trimmed(std::string_view text, std::string_view characters) {
+  return text.substr(std::min(text.find_first_not_of(characters), text.size()));
+}
 
 std::size_t find_word(std::string_view line, std::string_view word) {
   for (auto at = line.find(word); at != kNone; at = line.find(word, at + 1)) {
@@ -46,8 +58,7 @@ std::vector<std::string_view> words_of(std::string_view text, std::string_view s
 std::optional<double> number_after(std::string_view line, std::string_view key) {
   const auto at = line.find(key);
   if (at == kNone) return {};
-  auto rest = line.substr(at + key.size());
-  rest.remove_prefix(std::min(rest.find_first_not_of(" \t=:"), rest.size()));
+  auto rest = left_trimmed(line.substr(at + key.size()), " \t=:");
   return take_number(rest);
 }
 
@@ -65,26 +76,18 @@ std::optional<AccelerationUnit> unit_in(std::string_view line) {
 }
 
 std::optional<double> time_unit(std::string_view spelling) {
-  // "seconds" is "s" in the plain spelling, so "milliseconds" is "millis".
-  constexpr std::array<std::pair<std::string_view, double>, 10> kUnits = {{{"s", 1},
-                                                                           {"ms", 1e-3},
-                                                                           {"millis", 1e-3},
-                                                                           {"us", 1e-6},
-                                                                           {"micros", 1e-6},
-                                                                           {"\xc2\xb5s", 1e-6},
-                                                                           {"\xce\xbcs", 1e-6},
-                                                                           {"min", 60},
-                                                                           {"minute", 60},
-                                                                           {"minutes", 60}}};
   const std::string text = plain_unit(spelling);
-  for (const auto& [name, seconds] : kUnits)
-    if (text == name) return seconds;
+  if (text == "s") return 1;
+  // "seconds" is "s" in the plain spelling, so "milliseconds" is "millis".
+  if (is_one_of(text, "ms millis")) return 1e-3;
+  if (is_one_of(text, "us micros \xc2\xb5s \xce\xbcs")) return 1e-6;
+  if (is_one_of(text, "min minute minutes")) return 60;
   return {};
 }
 
 std::string_view factor_behind(std::string_view unit_end) {
   constexpr std::string_view kCross = "\xc3\x97";  // U+00D7
-  unit_end.remove_prefix(std::min(unit_end.find_first_not_of(" \t)]}."), unit_end.size()));
+  unit_end = left_trimmed(unit_end, " \t)]}.");
   if (unit_end.empty()) return {};
   std::string_view rest = unit_end;
   if (rest.starts_with(kCross))
@@ -93,18 +96,17 @@ std::string_view factor_behind(std::string_view unit_end) {
     rest.remove_prefix(1);
   else
     return {};
-  rest.remove_prefix(std::min(rest.find_first_not_of(" \t("), rest.size()));
+  rest = left_trimmed(rest, " \t(");
   if (!take_number(rest)) return {};
   return unit_end.substr(0, unit_end.size() - rest.size());
 }
 
 std::optional<std::string_view> other_quantity(std::string_view unit) {
-  constexpr std::array<std::string_view, 5> kLengths = {"m", "cm", "mm", "in", "ft"};
   std::string text = plain_unit(unit);
   if (text == "kine") return "velocity";
   const bool is_rate = text.ends_with("/s");
   if (is_rate) text.resize(text.size() - 2);
-  if (std::ranges::find(kLengths, text) == kLengths.end()) return {};
+  if (!is_one_of(text, "m cm mm in ft")) return {};
   return is_rate ? "velocity" : "displacement";
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,10 +17,12 @@ inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(std::string_view line);
 
-template <std::size_t size>
-bool is_one_of(std::string_view text, const std::array<std::string_view, size>& names) {
-  return std::ranges::find(names, text) != names.end();
-}
+/// Whether `word` is one of those in `list`, which blanks part; whether it begins with one.
+bool is_one_of(std::string_view word, std::string_view list);
+bool begins_with_one_of(std::string_view word, std::string_view list);
+
+/// `text` without any of `characters` at its start.
+std::string_view left_trimmed(std::string_view text, std::string_view characters);
 
 /// Where `word` stands alone in `line`; digits may touch it: `NPTS=2000DT=.02`.
 std::size_t find_word(std::string_view line, std::string_view word);

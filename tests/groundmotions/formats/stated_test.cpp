@@ -10,6 +10,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+const ReadOptions kNoOptions;
+
 struct Verdict {
   std::vector<std::string> warnings;
   std::string error;
@@ -20,9 +22,9 @@ Verdict peak(std::string_view stated, const AccelerationUnit& unit = {"cm/s2", 0
   Component component;
   component.acceleration = Eigen::Vector2d(0.01, -0.02);
   const SourceFile named("f", "-");
-  FileErrors errors(named);
-  check_peak(stated, unit, 7, component, errors);
-  return {component.warnings, error_text([&] { errors.throw_if_any(); })};
+  LayoutReader in(named, kNoOptions);
+  in.check_peak({stated, 7}, unit, component);
+  return {component.warnings, error_text([&] { in.errors.throw_if_any(); })};
 }
 
 // Samples have 2 cm/s2; allowed are half of the last digit and 0.1 % of the samples' peak.
@@ -50,34 +52,34 @@ TEST(Stated, RefusesPeaksOffByMoreThanHalf) {
 TEST(Stated, AcceptsThePeakOfSamplesWithoutTheirMean) {
   Component component;
   const SourceFile named("f", "-");
-  FileErrors errors(named);
+  LayoutReader in(named, kNoOptions);
   component.acceleration = Eigen::Vector4d(1, 1.2, 0.8, 1);
-  check_peak({1.2, 1e-9, 3}, component.acceleration, component, errors);
-  check_peak({0.2, 1e-9, 3}, component.acceleration, component, errors);
+  in.check_peak({1.2, 1e-9, 3}, component.acceleration, component);
+  in.check_peak({0.2, 1e-9, 3}, component.acceleration, component);
   EXPECT_TRUE(component.warnings.empty());
-  check_peak({1.25, 1e-9, 3}, component.acceleration, component, errors);
+  in.check_peak({1.25, 1e-9, 3}, component.acceleration, component);
   EXPECT_THAT(component.warnings,
               ElementsAre("the file states a peak of 1.25 m/s2, but its samples have 1.2 m/s2"));
-  EXPECT_FALSE(errors.any());
-  check_peak({2, 1e-9, 3}, component.acceleration, component, errors);
-  EXPECT_TRUE(errors.any());
+  EXPECT_FALSE(in.errors.any());
+  in.check_peak({2, 1e-9, 3}, component.acceleration, component);
+  EXPECT_TRUE(in.errors.any());
 }
 
 TEST(Stated, ComparesLengths) {
   Component component;
   const SourceFile named("f", "-");
-  FileErrors errors(named);
+  LayoutReader in(named, kNoOptions);
   component.time_step = 0.1;
   component.acceleration = Eigen::VectorXd::Zero(100);
-  for (const double good : {0.0, -1.0, 10.0, 9.75, 10.25}) check_length(good, 3, component, errors);
+  for (const double good : {0.0, -1.0, 10.0, 9.75, 10.25}) in.check_length(good, 3, component);
   EXPECT_THAT(component.warnings, IsEmpty());
-  check_length(12, 3, component, errors);
+  in.check_length(12, 3, component);
   EXPECT_THAT(component.warnings,
               ElementsAre("the file states a length of 12 s, but its 100 samples at 0.1 s have "
                           "10 s"));
-  EXPECT_FALSE(errors.any());
-  check_length(16, 3, component, errors);
-  EXPECT_EQ(error_text([&] { errors.throw_if_any(); }),
+  EXPECT_FALSE(in.errors.any());
+  in.check_length(16, 3, component);
+  EXPECT_EQ(error_text([&] { in.errors.throw_if_any(); }),
             "f:3:1: the file states a length of 16 s, but its 100 samples at 0.1 s have 10 s");
 }
 
@@ -85,10 +87,10 @@ TEST(Stated, ComparesLengths) {
 std::string reported(std::optional<AccelerationUnit> unit, std::optional<double> time_step,
                      const ReadOptions& options, std::size_t line = 4) {
   const SourceFile named("f", "-");
-  FileErrors errors(named);
-  agreed_unit(unit, line, options, errors);
-  agreed_time_step(time_step, line, options, errors);
-  return error_text([&] { errors.throw_if_any(); });
+  LayoutReader in(named, options);
+  in.agreed_unit(unit, line);
+  in.agreed_time_step(time_step, line);
+  return error_text([&] { in.errors.throw_if_any(); });
 }
 
 TEST(Stated, FileAndUserMustAgree) {

@@ -1,7 +1,10 @@
+// Text files of programs that simulate ground motions.
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "groundmotions/formats/numbers.h"
 #include "groundmotions/formats/orientation.h"
@@ -14,8 +17,10 @@ namespace gurney::groundmotions {
 
 namespace {
 
+// --- SCEC Broadband Platform
+
 /// Statements of the comments.
-struct Header {
+struct BbpHeader {
   std::size_t lines = 0;            ///< of comments at the top
   std::string_view unit;            ///< empty: not stated
   std::size_t unit_line = 1;        ///< from 1
@@ -35,7 +40,7 @@ bool is_comment(std::string_view line) {
 }
 
 /// `N-S(cm/s/s)  E-W(cm/s/s)  U-D(cm/s/s)`
-void take_names(std::string_view rest, Header& header) {
+void take_names(std::string_view rest, BbpHeader& header) {
   for (std::string& name : header.names) {
     const auto open = rest.find('('), close = rest.find(')');
     if (open == kNone || close == kNone || trimmed(rest.substr(0, open)).empty()) return;
@@ -45,7 +50,7 @@ void take_names(std::string_view rest, Header& header) {
 }
 
 /// `orientation= 0.0,90.0,up`
-void take_orientation(std::string_view value, Header& header) {
+void take_orientation(std::string_view value, BbpHeader& header) {
   for (std::string& name : header.names) {
     const auto end = std::min(value.find(','), value.size());
     name = trimmed(value.substr(0, end));
@@ -55,7 +60,7 @@ void take_orientation(std::string_view value, Header& header) {
 
 /// `Column 2: North-south acceleration (cm/s/s) (+ is northward)`
 /// @param column  0 for the first component
-void take_column(std::string_view text, std::size_t column, Header& header) {
+void take_column(std::string_view text, std::size_t column, BbpHeader& header) {
   constexpr std::array<std::array<std::string_view, 4>, 3> kAxes = {
       {{"north-south", "n-s", "north", "N-S"},
        {"east-west", "e-w", "east", "E-W"},
@@ -79,7 +84,7 @@ void take_column(std::string_view text, std::size_t column, Header& header) {
   }
 }
 
-void take_comment(std::string_view comment, std::size_t line, Header& header) {
+void take_comment(std::string_view comment, std::size_t line, BbpHeader& header) {
   const std::string text = lower(comment);
   const auto state_unit = [&](std::string_view unit) {
     if (!header.unit.empty() || unit.empty()) return;
@@ -120,14 +125,12 @@ void take_comment(std::string_view comment, std::size_t line, Header& header) {
     header.facts.emplace_back(key, value);
 }
 
-Header header_of(const SourceFile& file) {
-  Header header;
+BbpHeader bbp_header(const SourceFile& file) {
+  BbpHeader header;
   for (const std::string_view line : file.lines()) {
     if (!is_comment(line) && !trimmed(line).empty()) break;
     ++header.lines;
-    auto comment = trimmed(line);
-    comment.remove_prefix(std::min(comment.find_first_not_of("#% \t"), comment.size()));
-    take_comment(comment, header.lines, header);
+    take_comment(left_trimmed(trimmed(line), "#% \t"), header.lines, header);
   }
   return header;
 }
@@ -151,79 +154,112 @@ void warn_of_copies(std::vector<Component>& components) {
             components[k].name, components[i].name));
 }
 
+// --- EMOD3D and ucgmsim
+
+constexpr std::string_view kBlanks = " \t\v\f\x1a";
+
+/// The numbers of a line; empty if it holds anything else.
+std::vector<double> numbers_of(std::string_view line) {
+  std::vector<double> values;
+  for (const auto word : words_of(line, kBlanks)) {
+    const auto value = number(word);
+    if (!value) return {};
+    values.push_back(*value);
+  }
+  return values;
+}
+
 }  // namespace
 
 bool recognises_bbp(const SourceFile& file) {
-  return is_comment(file.lines().front()) && header_of(file).names_columns;
+  return is_comment(file.lines().front()) && bbp_header(file).names_columns;
 }
 
 /// @throws Error for velocities and displacements, missing units, rows of another length, what is
 ///         no number and times that are not evenly spaced.
 std::vector<Component> read_bbp(const SourceFile& file, const ReadOptions& options) {
-  FileErrors errors(file);
-  const Header header = header_of(file);
-  if (const auto quantity = other_quantity(header.unit)) {
-    errors.add(header.unit_line, 1,
-               fmt::format("a record must be acceleration, but this is a {} file ({}); take the "
-                           ".acc.bbp file of this station",
-                           *quantity, header.unit));
-    errors.throw_if_any();
-  }
+  LayoutReader in(file, options);
+  const BbpHeader header = bbp_header(file);
+  if (const auto quantity = other_quantity(header.unit))
+    in.refuse(header.unit_line,
+              fmt::format("a record must be acceleration, but this is a {} file ({}); take the "
+                          ".acc.bbp file of this station",
+                          *quantity, header.unit));
   const auto seconds = header.time_unit.empty() ? std::optional(1.0) : time_unit(header.time_unit);
   if (!seconds)
-    errors.add(
-        header.time_line, 1,
+    in.error(
+        header.time_line,
         fmt::format("'{}' is not a unit of time: s, ms, us or min are allowed", header.time_unit));
   if (header.other_unit_line > 0)
-    errors.add(header.other_unit_line, 1,
-               fmt::format("this column has another unit than line {}; one unit is allowed",
-                           errors.line_in_file(header.unit_line)));
-  auto names = header.names;
-  std::ranges::sort(names);
-  if (std::ranges::adjacent_find(names) != names.end())
-    errors.add(1, 1,
-               fmt::format("the comments name the columns {}, {} and {}: one is named twice",
-                           header.names[0], header.names[1], header.names[2]));
-  const AccelerationUnit unit = header.unit.empty()
-                                    ? agreed_unit({}, 0, options, errors)
-                                    : checked_unit(header.unit, header.unit_line, options, errors);
+    in.error(header.other_unit_line,
+             fmt::format("this column has another unit than line {}; one unit is allowed",
+                         in.errors.line_in_file(header.unit_line)));
+  const auto& names = header.names;
+  if (names[0] == names[1] || names[1] == names[2] || names[0] == names[2])
+    in.error(1, fmt::format("the comments name the columns {}, {} and {}: one is named twice",
+                            names[0], names[1], names[2]));
+  const AccelerationUnit unit =
+      header.unit.empty() ? in.agreed_unit({}, 0) : in.checked_unit(header.unit, header.unit_line);
 
-  NumberReader reader(file, errors);
+  NumberReader reader(file, in.errors);
   std::vector<std::size_t> lines;
   for (std::size_t i = header.lines; i < file.lines().size(); ++i) {
-    if (is_comment(file.lines()[i]) || trimmed(file.lines()[i]).empty()) continue;
+    if (is_comment(file.lines()[i]) || is_blank(file.lines()[i])) continue;
     lines.push_back(i + 1);
     if (const auto count = reader.read_line(i); count != 4)
-      errors.add(i + 1, 1,
-                 fmt::format("{} numbers on a line, time and three components are 4", count));
+      in.error(i + 1, fmt::format("{} numbers on a line, time and three components are 4", count));
   }
   reader.check_end();
-  check_enough(static_cast<double>(lines.size()), 0, errors);
-  errors.throw_if_any();
+  in.check_enough(static_cast<double>(lines.size()), 0);
+  in.errors.throw_if_any();
 
   std::array<std::vector<double>, 4> columns;
   for (std::size_t i = 0; i < reader.values().size(); ++i)
     columns[i % 4].push_back(reader.values()[i]);
-  for (double& time : columns[0]) time *= seconds.value_or(1);
-  const double step = even_step(columns[0], lines, errors);
-  checked_time_step(step, "the time step", lines[0], options, errors);
-  errors.throw_if_any();
+  for (double& time : columns[0]) time *= *seconds;
+  const double step = even_step(columns[0], lines, in.errors);
+  in.checked_time_step({step, "the time step", lines[0]});
+  in.errors.throw_if_any();
 
-  std::vector<Component> components(3);
+  std::vector<Component> components;
   for (std::size_t k = 0; k < 3; ++k) {
-    Component& component = components[k];
-    component.name = header.names[k];
-    component.time_step = step;
-    component.unit = unit.name;
-    component.acceleration = scaled(columns[k + 1], unit.to_si);
-    component.header.insert(component.header.end(), header.facts.begin(), header.facts.end());
-    orient(component.name, component);
-    turn(header.is_negative[k], component);
+    components.push_back(component_of(columns[k + 1], unit, step));
+    components[k].header.assign(header.facts.begin(), header.facts.end());
+    name_and_orient(names[k], components[k]);
+    turn(header.is_negative[k], components[k]);
   }
   if (const auto late = late_start(columns[0][0], step); !late.empty())
     components[0].warnings.push_back(late);
   warn_of_copies(components);
   return components;
+}
+
+bool recognises_emod3d(const SourceFile& file) {
+  if (file.lines().size() < 3 || !numbers_of(file.lines()[0]).empty() ||
+      words_of(file.lines()[0], kBlanks).size() < 2)
+    return false;
+  const auto head = numbers_of(file.lines()[1]);
+  const auto is_whole = [](double value) { return value == std::floor(value); };
+  return head.size() == 8 && head[0] >= 2 && is_whole(head[0]) && head[1] > 0 &&
+         is_whole(head[2]) && is_whole(head[3]) && std::abs(head[2]) < 24 && std::abs(head[3]) < 60;
+}
+
+/// @throws Error without options.unit, for a wrong header and a count that does not match.
+std::vector<Component> read_emod3d(const SourceFile& file, const ReadOptions& options) {
+  LayoutReader in(file, options);
+  const auto words = words_of(file.lines()[0], kBlanks);
+  const auto head = numbers_of(file.lines()[1]);
+  const double time_step = in.checked_time_step({head[1], "dt", 2});
+  Component component = in.read_to_end(2, in.agreed_unit({}, 0), time_step, {head[0], "npts", 2});
+  name_and_orient(words[1], component);
+  component.header.emplace_back("station", words[0]);
+  if (words.size() > 2)
+    component.header.emplace_back("title", trimmed(file.lines()[0].substr(static_cast<std::size_t>(
+                                               words[2].data() - file.lines()[0].data()))));
+  component.header.emplace_back("first sample after the origin [s]",
+                                fmt::format("{}", (head[2] * 60 + head[3]) * 60 + head[4]));
+  component.header.emplace_back("distance [km]", fmt::format("{}", head[5]));
+  return {component};
 }
 
 }  // namespace gurney::groundmotions
