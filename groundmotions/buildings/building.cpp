@@ -430,8 +430,8 @@ int read_floor(Table& table, const Building& building) {
   }
   if (!named) {
     if (const std::string name = table.text("floor"); name != "roof")
-      table.note("floor", fmt::format(" = \"{}\": must be \"roof\" or a whole number in 0..{}", name,
-                                      building.storeys));
+      table.note("floor", fmt::format(" = \"{}\": must be \"roof\" or a whole number in 0..{}",
+                                      name, building.storeys));
     return building.storeys;
   }
   std::vector<std::string> names = building.tables->floors;

@@ -23,7 +23,7 @@ using config::Table;
 
 constexpr const char *kRecord = "{record}", *kFloor = "{floor}", *kDirection = "{direction}";
 constexpr int kPrintedDigits =
-    6;  ///< significant ones of a recorder of OpenSees, unless told otherwise
+    6;  ///< significant ones of a recorder of OpenSees, where nothing else is stated
 
 bool has(const std::string& text, const char* mark) { return text.find(mark) != std::string::npos; }
 

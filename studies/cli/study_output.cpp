@@ -28,6 +28,8 @@
 #include "studies/run/estimate.h"
 
 namespace gurney::cli {
+namespace fs = std::filesystem;
+
 namespace {
 
 /// Factors on the records of a study; none where nothing shakes. Configurations may have records of
@@ -92,8 +94,6 @@ std::size_t terminal_width() {
 }
 
 }  // namespace
-
-namespace fs = std::filesystem;
 
 StudySummary write_results(const study::Batch& batch, const fs::path& folder,
                            const std::function<std::string(std::size_t)>& read,

@@ -61,7 +61,7 @@ class RunOutcomes : public OutcomeSource {
     std::size_t failed = 0;
     for (std::size_t i = 0; i < data_.configurations().size(); ++i) failed += data_.failed(i);
     if (failed == 0) return {};
-    return {fmt::format("{} failed runs are left out", failed)};
+    return {fmt::format("{} failed runs are excluded", failed)};
   }
 
  private:

@@ -186,7 +186,7 @@ TEST(Job, ReadsTheRecordRequest) {
   ASSERT_TRUE(job.record->building);
   EXPECT_EQ(job.record->building->floor, 2);
   EXPECT_EQ(job.record->building->building.storeys, 3);
-  EXPECT_TRUE(groundmotions::rotates(job.record->building->building, 2));
+  EXPECT_TRUE(groundmotions::rocks(job.record->building->building, 2));
   EXPECT_EQ(job.rotation_factor, 0.5);
   EXPECT_DOUBLE_EQ(job.record->angle, 45 * kRadiansPerDegree);
   EXPECT_EQ(job.record->options.unit, "cm/s2");
