@@ -57,12 +57,10 @@ expect 1 "c.svg: exists already" "$gurney" compare a.h5 --demand peak_tilt --fig
 "$gurney" compare a.h5 --json > twice
 cmp once twice || complain "two comparisons of the same files differ"
 
-expect 0 "peak_displacement of" "$gurney" compare a.h5 --records --configuration false
-expect 0 '"verdict"' "$gurney" compare a.h5 --records --json
+expect 1 "has one record at scale = 1; there is nothing to compare" "$gurney" compare a.h5 --records
 expect 1 "ranks the records of one study; b.h5: is a second one" "$gurney" compare a.h5 b.h5 --records
 expect 1 "--level 9: the study has 2 levels" "$gurney" compare a.h5 --records --level 9
 expect 1 "did you mean 'peak_tilt'?" "$gurney" compare a.h5 --records --demand peak_tlt
-expect 1 "--figure: shows one item in one configuration" "$gurney" compare a.h5 --records --figure r.svg
 expect 2 "--level requires --records" "$gurney" compare a.h5 --level 1
 
 expect 0 "predicts this demand best" "$gurney" measures a.h5 --limit rolled --configuration false
