@@ -415,7 +415,9 @@ std::optional<int> floor_of(const Building& building, const std::string& name) {
 
 std::string floor_names(const Building& building) {
   if (!building.tables) return fmt::format("roof, or a number from 0 to {}", building.storeys);
-  return fmt::format("{} or roof", fmt::join(building.tables->floors, ", "));
+  std::vector<std::string> names = building.tables->floors;
+  std::erase(names, "roof");
+  return fmt::format("{} or roof", fmt::join(names, ", "));
 }
 
 int read_floor(Table& table, const Building& building) {

@@ -126,7 +126,8 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
                       study::PartFolder::Start::kResume)
         .remove();
   study::remove_abandoned(paths.parts);
-  fmt::print("results  {} (already complete)\n", printable(paths.results.string()));
+  if (!options.quiet)
+    fmt::print("results  {} (already complete)\n", printable(paths.results.string()));
   return true;
 }
 

@@ -51,7 +51,7 @@ schema = "gurney-hospital/1"
 title = "Poles"
 consequences = "consequences.toml"
 [motion]
-pgv_m_per_s = [0.2, 0.5]
+pgv_m_per_s = [0.25, 0.35]
 [[storey]]
 name = "ground"
 [[room]]
@@ -114,7 +114,7 @@ expect 0 "by chance that wards is lost" "$gurney" hospital "$2/studies/hospitals
 
 # Errors.
 expect 1 "--by 'bets': must be beds, loss or a service; did you mean 'beds'?" "$gurney" hospital ward.toml --results whole.h5 --by bets
-expect 1 "--at 0.3: ward.toml has the levels 0.2, 0.5 m/s" "$gurney" hospital ward.toml --results whole.h5 --at 0.3
+expect 1 "--at 0.3: ward.toml has the levels 0.25, 0.35 m/s" "$gurney" hospital ward.toml --results whole.h5 --at 0.3
 expect 2 "--run" "$gurney" hospital ward.toml --results whole.h5 --run other.h5
 sed '/^\[simulation\]/,$d' ward.toml > no_study.toml
 expect 1 "no_study.toml: simulation: must be given" "$gurney" hospital no_study.toml --run none.h5
