@@ -144,6 +144,7 @@ std::string log_beside(const std::string& results) {
 /// here; empty: there is no such line.
 std::string file_of_log(const std::string& log, const std::string& word) {
   const std::string file = value_of(log, word);
+  if (file.empty()) return file;
   const fs::path from_its_folder = fs::path(value_of(log, "folder")) / file;
   return is_there(file) || !is_there(from_its_folder) ? file : from_its_folder.string();
 }
