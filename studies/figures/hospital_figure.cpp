@@ -9,7 +9,7 @@
 namespace gurney::figures {
 namespace {
 
-constexpr double kRowHeight = 26, kHospitalHead = 90, kMostName = 215;  // [px]
+constexpr double kRowHeight = 26, kHospitalHead = 90, kMostName = 195;  // [px]
 constexpr const char *kNothing = "#b0b0b0", *kInterval = "#d55e00";
 constexpr std::size_t kGained = 2, kMostActions = 20;
 
@@ -73,7 +73,7 @@ PlotPanel ranking_panel(const study::HospitalAnswer& answer) {
   panel.x_range = {range.low - air, range.high + air};
   panel.guides = {{0}};
   panel.marks = {key("gains, in this order", palette(kGained)),
-                 key("gains nothing after those", kNothing)};
+                 key("no gain after those", kNothing)};
   const double rows = static_cast<double>(panel.rows.size());
   return {.panel = std::move(panel), .height = kHospitalHead + rows * kRowHeight};
 }

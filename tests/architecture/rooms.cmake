@@ -60,10 +60,10 @@ set(GURNEY_ROOMS
   "studies/analysis: engine/base engine/config engine/response
     groundmotions/measures studies/statistics studies/job studies/units
     studies/results studies/limit_states studies/plan"
-  "studies/loss: engine/base engine/config equipment/catalogue studies/statistics studies/results
+  "studies/loss: engine/base engine/config equipment/catalogue studies/statistics
     studies/limit_states studies/analysis"
-  "studies/hospital: engine/base engine/config engine/scene equipment/catalogue studies/statistics
-    studies/results studies/limit_states studies/plan studies/analysis studies/loss"
+  "studies/hospital: engine/base engine/config equipment/catalogue studies/statistics
+    studies/plan studies/analysis studies/loss"
   "studies/convergence: engine/base engine/run studies/statistics studies/results
     studies/prepare studies/limit_states studies/run"
   "studies/exports: engine/base engine/config engine/scene groundmotions/measures

@@ -115,7 +115,7 @@ TEST_F(ItemFile, AVariantChangesWhatTheOneItExtendsAdds) {
   EXPECT_EQ(x(load({"last"}, more)), 0.1);
   EXPECT_EQ(load({"last"}, more).chassis_mass, load({"heavy"}, more).chassis_mass);
   EXPECT_EQ(error("[variant.a]\nextends = \"b\"\n[variant.c]\nextends = 3\n"),
-            "27:10: variant.a.extends: the item has no variant 'b'; did you mean 'a'?\n"
+            "27:10: variant.a.extends: the item has no variant 'b'; known: a, c\n"
             "30:11: variant.c.extends = 3: must be the name of a variant, or an array of names");
   EXPECT_THAT(error("[variant.a]\nextends = \"b\"\n[variant.b]\nextends = \"a\"\n"),
               testing::HasSubstr("variant.a.extends = \"b\": must not extend itself"));

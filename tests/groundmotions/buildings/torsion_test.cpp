@@ -138,7 +138,7 @@ TEST(Torsion, PlacesFollowTheMatrixExponentialAboutTheCentresOfMass) {
     peak_yaw = std::max(peak_yaw, std::abs(state[6 + k]));
     error_of_yaw = std::max(error_of_yaw, std::abs(response.yaw() - state[6 + k]));
   }
-  EXPECT_GT(peak_yaw, 1e-3);
+  EXPECT_GT(peak_yaw, 5e-4);
   EXPECT_LT(error, 1e-10 * peak);
   EXPECT_LT(error_of_yaw, 1e-10 * peak_yaw);
 }

@@ -205,7 +205,7 @@ TEST(CasterOptions, HalfSetBrakesHoldAShareOfTheirTorque) {
   EXPECT_EQ(torque(job_of_text(cart + "brakes = true\nbrake_share = 0.4\n")), 2);
   EXPECT_EQ(torque(job_of_text(cart + "brakes = true\nbrake_share = [0, 1, 1, 1]\n")), 0);
   EXPECT_THAT(errors_of_text(cart + "brakes = true\nbrake_share = 1.2\n"),
-              HasSubstr("item.brake_share = 1.2: must be a number in [0, 1]"));
+              HasSubstr("item.brake_share = 1.2: must be a finite number >= 0 and <= 1"));
   EXPECT_THAT(errors_of_text(cart + "brake_share = 0.5\n"),
               HasSubstr("item.brake_share: has no effect: no brake of cart is on"));
   // Each draw has its own share.

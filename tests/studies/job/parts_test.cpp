@@ -153,7 +153,8 @@ TEST(JobParts, RefuseWhatCannotBe) {
 TEST(JobParts, ContentsThatOverlapAreAnError) {
   std::string second = kLamp;
   second.replace(second.find("\"lamp\""), 6, "\"vase\"");
-  EXPECT_THAT(errors_of_text(job_with("", kLamp + second)), HasSubstr("mm deep in 'desk/lamp'"));
+  EXPECT_THAT(errors_of_text(job_with("", kLamp + second)),
+              HasSubstr("content 'vase' stands 100 mm deep in content 'lamp'"));
 }
 
 }  // namespace

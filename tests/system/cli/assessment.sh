@@ -157,7 +157,9 @@ cat > usgs.json << 'JSON'
 JSON
 printf 'schema = "gurney-hazard/1"\nusgs = "usgs.json"\ncomponent = "geomean"\n' > usgs.toml
 "$gurney" fragility plain.h5 --limit-states limits.toml --hazard usgs.toml --json > usgs.txt
-same usgs.txt given.json
+"$gurney" fragility plain.h5 --limit-states limits.toml --hazard hazard.toml --json > points.txt
+same usgs.txt points.txt
+[ -s usgs.txt ] || complain "no curves under a hazard of the USGS"
 expect 1 "the file is a hazard curve, not a list of limit states" \
   "$gurney" measures plain.h5 --limit-states hazard.toml
 expect 1 "several limit states are given" "$gurney" sensitivity plain.h5 --limit-states limits.toml
