@@ -64,7 +64,7 @@ with tempfile.TemporaryDirectory() as folder:
     import matplotlib
     matplotlib.use("Agg")
     examples = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-    assert len(examples) == 7, examples
+    assert len(examples) == 9, examples
     for example in examples:
         if "simulate(" in example and not support.has_module():
             print("gurney.simulate is not built: its example was not run")
