@@ -6,7 +6,7 @@
 
 namespace gurney {
 
-/// Those of many points that the corners of their convex hull are among, sorted: Bullet's
+/// Points, sorted, among which are all corners of the convex hull of the given ones, by Bullet's
 /// btConvexHullComputer, which resolves 1e-4 of their size. Empty: they span no volume that it sees.
 std::vector<Vector3> hull_corners(std::vector<Vector3> points);
 

@@ -53,7 +53,7 @@ RoundSurface round_surface(const BodyShape& shape, const Vector3& origin);
 /// Volume [m3] and, for a mass, centre and inertia of a uniform solid: exact, of a hull by tetrahedra.
 double volume_of(const BodyShape& shape);
 MassProperties uniform_solid(double mass, const BodyShape& shape);
-/// The same of shapes that share the mass by their volumes; where they overlap, both count.
+/// Mass properties of shapes that share the mass by their volumes; where they overlap, both count.
 MassProperties uniform_solid(double mass, const std::vector<BodyShape>& shapes);
 
 /// How high a level top of the shape is over a point of the plan; none beside it, and none where its top

@@ -123,8 +123,8 @@ void edge_points(const Edge& edge, const Cylinder& b, const Vector3& shift, doub
   }
 }
 
-/// What lies on an end of a body that moves: the points it keeps while it stands nearly flat, and its
-/// lowest point once it is tilted.
+/// Points on an end of a body that moves: those it keeps while it stands nearly flat, and its lowest
+/// point once it is tilted.
 void end_points(const SurfacePiece& a, const Cylinder& b, const Vector3& normal,
                 const Vector3& shift, double margin, std::vector<FacingPoint>& points) {
   const SurfacePiece end = facing(b, normal);

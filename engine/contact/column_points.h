@@ -14,8 +14,8 @@ struct Cylinder {
   Vector3 axis;            ///< unit
   double radius = 0;       ///< > 0 [m]
   double half_height = 0;  ///< > 0 [m]
-  /// Of a body that moves: unit, across the axis, fixed to the body. Its ends then touch at points that
-  /// the body keeps. Zero: at rest.
+  /// Unit vector across the axis, fixed to a body that moves: its ends then touch at points that the
+  /// body keeps. Zero: the body is at rest.
   Vector3 rim = Vector3::Zero();
 
   static constexpr std::size_t kRimPoints = 8;

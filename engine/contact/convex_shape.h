@@ -39,8 +39,8 @@ ConvexShape convex_box(const Vector3& center, const Vector3& size);
 /// with the cube of their number, at least.
 ConvexShape convex_hull(const std::vector<Vector3>& points);
 
-/// The same with points that miss a plane by less than 1e-4 of the size in it: of a body, whose points
-/// come from a drawing.
+/// The hull of a body whose points come from a drawing: those that miss a plane by less than 1e-4 of the
+/// size are in it.
 ConvexShape convex_body(const std::vector<Vector3>& points);
 
 /// Points that are corners of a face, in their order.

@@ -37,7 +37,7 @@ struct Mechanism {
   /// A point of the item (BodyContact::Side), relative to the chassis' centre, floor axes; and its
   /// velocity, without the spin of a wheel, which moves no point of its surface.
   Vector3 point(const BodyContact::Side& side, const State& state) const;
-  /// The same of the chassis in a pose.
+  /// A point of the chassis as it is turned, relative to its centre, floor axes.
   Vector3 chassis_point(const BodyContact::Side& side, const Matrix3& rotation) const {
     return side.round < 0 ? Vector3(rotation * side.local)
                           : surfaces[static_cast<std::size_t>(side.round)].farthest(

@@ -105,7 +105,7 @@ void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity
     power.contact_loss += result.sliding_power + result.damping_power;
     out.items[a.item].spring_rates += result.spring_rates;
     if (!work.contact->between_items()) continue;
-    // What one item gives the other is no loss: the sum over both vanishes but for the contact's own power.
+    // Work that one item gives the other is no loss: the sum over both vanishes but for the contact's own power.
     const double given = -result.force.dot(rates(b, work.other_side, v));
     out.items[b.item].power.work_of_neighbours += given;
     power.work_of_neighbours -= given;

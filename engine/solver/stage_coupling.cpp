@@ -98,7 +98,7 @@ void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau
     if (group_of_[work.part()] != group.front()) continue;
     const Place &part = places_[work.part()], &base = places_[work.base()];
     system_.couple(part.block, base.block);
-    // The same of a joint: -tau sum of dT/du d_p d_b'.
+    // A joint has -tau sum of dT/du d_p d_b' there.
     Matrix6 slopes = Matrix6::Zero();
     for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
       const JointLaw::Row& row = work.stage.rows.rows[r];

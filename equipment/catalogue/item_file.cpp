@@ -231,7 +231,7 @@ void add_chain(const std::vector<Variant>& known, const std::string& name,
   }
 }
 
-/// What is laid over the item for these variants, in order.
+/// Tables that are laid over the item for these variants, in order.
 std::vector<const Node*> chain_of(const std::vector<Variant>& known,
                                   const std::vector<std::string>& names) {
   std::vector<const Node*> chain;

@@ -44,7 +44,7 @@ bool rocks(const Building& building, int floor);
 std::optional<int> floor_of(const Building& building, const std::string& name);
 std::string name_of_floor(const Building& building, int floor);
 
-/// What floor_of() knows, for messages.
+/// Names of floors that floor_of() knows, for messages.
 std::string floor_names(const Building& building);
 
 /// Reads the keys of a building; docs/formats/building_file.md. Errors are noted in the table's

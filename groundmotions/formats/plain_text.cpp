@@ -484,7 +484,7 @@ class PlainReader : LayoutReader {
     return components;
   }
 
-  /// What was skipped, and statements of the text that the samples do not fulfil.
+  /// Warns of what was skipped, and of statements of the text that the samples do not fulfil.
   void warn(Component& component) const {
     warn_of_text(rows_, component);
     auto& warnings = component.warnings;

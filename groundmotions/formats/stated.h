@@ -49,7 +49,7 @@ Component component_of(const Eigen::Ref<const Eigen::VectorXd>& samples,
 Component component_of(const std::vector<double>& samples, const AccelerationUnit& unit,
                        double time_step);
 
-/// What the reader of a layout has at hand, and the checks that all layouts share.
+/// Lines, options and errors of the file that a layout is read from, and the checks that all layouts share.
 struct LayoutReader {
   LayoutReader(const SourceFile& source, const ReadOptions& given);
   LayoutReader(const LayoutReader&) = delete;  // fields points to errors

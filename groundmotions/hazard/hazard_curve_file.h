@@ -24,7 +24,7 @@ struct PublishedHazard {
 PublishedHazard read_openquake_hazard(const std::string& path, std::optional<int> site);
 
 /// Reads the total mean curve in an answer of the hazard service of the USGS (National Seismic
-/// Hazard Models), which is JSON: `response.hazardCurves[]` of today's service (ws/nshmp/MODEL/
+/// Hazard Models), which is JSON: `response.hazardCurves[]` of the present one (ws/nshmp/MODEL/
 /// dynamic/hazard), or `response[]` of the one before it (nshmp-haz-ws), which the Unified Hazard
 /// Tool asks. Accelerations in g, PGV in cm/s, annual frequencies of exceedance.
 /// @param measure  as name_of(Measure); empty: the file must have one measure

@@ -23,8 +23,8 @@ struct UsgsDisaggregation {
 };
 
 /// An answer of the services of the USGS for hazard curves and disaggregations (National Seismic
-/// Hazard Models), which is JSON: `response.hazardCurves[]` and `response.disaggs[]` of today's
-/// (ws/nshmp/MODEL/dynamic), `response[]` of those before them (nshmp-haz-ws), which the Unified
+/// Hazard Models), which is JSON: `response.hazardCurves[]` and `response.disaggs[]` of the
+/// present ones (ws/nshmp/MODEL/dynamic), `response[]` of those before them (nshmp-haz-ws), which the Unified
 /// Hazard Tool asks. Of the components of an answer, "Total" is of all sources.
 class UsgsAnswer {
  public:

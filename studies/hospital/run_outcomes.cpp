@@ -31,11 +31,16 @@ class RunOutcomes : public OutcomeSource {
       if (std::ranges::find(states_, state.name) == states_.end()) states_.push_back(state.name);
     require(states_.size() <= kMostStates,
             fmt::format("{}: {} limit states; at most {}", results, states_.size(), kMostStates));
-    records_ = data_.file().strings("records/name").size();
+    // Storeys have motions of their own, of the same records: these are known by their names.
+    for (const std::string& name : data_.file().strings("records/name")) {
+      const auto known = std::ranges::find(records_, name);
+      record_.push_back(static_cast<std::size_t>(known - records_.begin()));
+      if (known == records_.end()) records_.push_back(name);
+    }
   }
 
   const std::vector<std::string>& states() const override { return states_; }
-  std::size_t records() const override { return records_; }
+  std::size_t records() const override { return records_.size(); }
 
   Outcome outcome(const HospitalItem& item, const Storey& storey, Brakes brakes) const override {
     const std::string name = configuration_of(item, storey, brakes);
@@ -66,22 +71,23 @@ class RunOutcomes : public OutcomeSource {
 
  private:
   std::vector<RunsOfLevel> runs_of(std::size_t configuration) const {
-    std::vector<RunsOfLevel> runs(hospital_.levels.size(), RunsOfLevel(records_));
+    std::vector<RunsOfLevel> runs(hospital_.levels.size(), RunsOfLevel(records_.size()));
     const std::vector<double> intensity = data_.measure("").values;
     for (const std::size_t run : data_.runs_of(configuration)) {
       const auto level = std::ranges::find_if(hospital_.levels, [&](double each) {
         return std::abs(each - intensity[run]) <= kSameLevel * each;
       });
       if (level == hospital_.levels.end()) continue;
-      runs[static_cast<std::size_t>(level - hospital_.levels.begin())][data_.record_of(run)]
-          .push_back(reached(run));
+      runs[static_cast<std::size_t>(level - hospital_.levels.begin())]
+          [record_[data_.record_of(run)]]
+              .push_back(reached(run));
     }
     for (std::size_t level = 0; level < runs.size(); ++level)
-      for (std::size_t record = 0; record < records_; ++record)
+      for (std::size_t record = 0; record < records_.size(); ++record)
         require(!runs[level][record].empty(),
-                fmt::format("{}: configuration '{}' has no run of record {} at {:g} m/s",
-                            data_.file().path(), data_.configurations()[configuration], record,
-                            hospital_.levels[level]));
+                fmt::format("{}: configuration '{}' has no run of record '{}' at {:g} m/s",
+                            data_.file().path(), data_.configurations()[configuration],
+                            records_[record], hospital_.levels[level]));
     return runs;
   }
 
@@ -107,8 +113,9 @@ class RunOutcomes : public OutcomeSource {
   StudyData data_;
   mutable FileValues values_;
   std::vector<LimitState> limit_states_;
-  std::size_t own_ = 0, records_ = 0;
-  std::vector<std::string> states_;
+  std::size_t own_ = 0;
+  std::vector<std::string> states_, records_;  // names
+  std::vector<std::size_t> record_;            // of each motion of the file, in records_
 };
 
 }  // namespace

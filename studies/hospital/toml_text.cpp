@@ -16,8 +16,11 @@ std::string joined(const config::Node& of, char open, char close, const auto& te
   return text + close;
 }
 
-bool is_path(const config::Node& table, const std::string& key) {
-  return key == "suite" || (key == "file" && table.find("kind") == nullptr);
+/// A building, which has a floor, may be one of the catalogue (equipment::find_data()).
+bool is_path(const config::Node& table, const config::Node& value) {
+  if (value.key != "file") return value.key == "suite";
+  const bool named = !value.text.ends_with(".toml") && value.text.find('/') == std::string::npos;
+  return table.find("kind") == nullptr && !(named && table.find("floor") != nullptr);
 }
 
 std::string written(const config::Node& value, const fs::path& folder, bool path) {
@@ -37,7 +40,7 @@ std::string written(const config::Node& value, const fs::path& folder, bool path
                     [&](const config::Node& each) { return written(each, folder, path); });
     case Kind::kTable:
       return joined(value, '{', '}', [&](const config::Node& each) {
-        return toml_string(each.key) + " = " + written(each, folder, is_path(value, each.key));
+        return toml_string(each.key) + " = " + written(each, folder, is_path(value, each));
       });
     case Kind::kOther:
       break;

@@ -188,9 +188,8 @@ Html scene_drawings(const JobScene& of, const std::string& title, const study::U
                             angle.name == "deg" ? "degrees" : angle.name)});
   }
   if (!of.changed.empty())
-    items +=
-        paragraph(fmt::format("Drawn with the catalogue of today; changed since the study: {}.",
-                              fmt::join(of.changed, ", ")));
+    items += paragraph(fmt::format("Drawn with the present catalogue; changed since the study: {}.",
+                                   fmt::join(of.changed, ", ")));
   return all + items;
 }
 

@@ -31,7 +31,7 @@ struct PageRequest {
 /// @throws Error unless it is one of these, and as StudyData does
 std::string results_page(const PageRequest& request);
 
-/// What stood where in a job, read again with the catalogue of today.
+/// Scenes of a job, read again with the present catalogue.
 struct JobScene {
   Scene scene;
   RunOptions settings;

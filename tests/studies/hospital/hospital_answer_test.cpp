@@ -7,6 +7,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/special.h"
+#include "tests/support/cart_prices.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
@@ -15,21 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kConsequences = R"(schema = "gurney-consequences/1"
-currency = "EUR"
-year = 2025
-[[price]]
-item = "cart"
-price = 1000
-[[limit_state]]
-name = "moved"
-demand = "peak_displacement"
-above = 10
-unit = "cm"
-[[limit_state]]
-name = "fell"
-event = "overturned"
-[[consequence]]
+const std::string kConsequences = kCartPrices + R"([[consequence]]
 limit_state = "moved"
 cost_ratio = 0.1
 days = 1

@@ -6,6 +6,7 @@
 
 #include "engine/config/document.h"
 #include "equipment/catalogue/catalogue.h"
+#include "tests/support/cart_prices.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::study {
@@ -13,21 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kFile = R"(schema = "gurney-consequences/1"
-currency = "EUR"
-year = 2025
-[[price]]
-item = "cart"
-price = 1000
-[[limit_state]]
-name = "moved"
-demand = "peak_displacement"
-above = 10
-unit = "cm"
-[[limit_state]]
-name = "fell"
-event = "overturned"
-[[consequence]]
+const std::string kFile = kCartPrices + R"([[consequence]]
 limit_state = "moved"
 cost_ratio = 0.1
 days = 1

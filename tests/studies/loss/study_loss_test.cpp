@@ -8,6 +8,7 @@
 #include "engine/base/units.h"
 #include "studies/statistics/special.h"
 #include "tests/studies/analysis/small_study.h"
+#include "tests/support/cart_prices.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -18,21 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A cart of 1000 that costs 100 where it moves 10 cm, and 600 where it falls.
-constexpr const char* kFile = R"(schema = "gurney-consequences/1"
-currency = "EUR"
-year = 2025
-[[price]]
-item = "cart"
-price = 1000
-[[limit_state]]
-name = "moved"
-demand = "peak_displacement"
-above = 10
-unit = "cm"
-[[limit_state]]
-name = "fell"
-event = "overturned"
-[[consequence]]
+const std::string kFile = kCartPrices + R"([[consequence]]
 limit_state = "moved"
 cost_ratio = { value = 0.1, assumption = "a guess", range = [0, 0.2] }
 days = 1

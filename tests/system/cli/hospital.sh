@@ -106,6 +106,15 @@ for level in 0 1; do
 done
 grep -q '"interval"' runs.json || complain "no interval"
 
+# A storey of its own building has other floor motions of the same records.
+{ sed '/^\[\[service/,$d; s/^pgv_m_per_s.*/pgv_m_per_s = [0.3]/; s/^count = 4/count = 1/' ward.toml
+  printf '[[storey]]\nname = "upper"\nbuilding = { file = "concrete_hospital", floor = 3 }\n'
+  sed -n '/^\[\[room\]\]/,/^\[\[service/p' ward.toml | sed '$d; s/"bay"/"upper bay"/; s/"ground"/"upper"/; s/^count = 4/count = 1/'
+  sed -n '/^\[\[service/,$p' ward.toml | sed "s/^works = .*/works = 'all(bay, \"upper bay\")'/; s/^draws = 2/draws = 1/"
+} > two_storeys.toml
+expect 0 "records  8" "$gurney" hospital two_storeys.toml --run storeys.h5
+grep -q "^upper bay" stdout || complain "no room of the upper storey"
+
 # From curves; figures.
 expect 0 "if independent" "$gurney" hospital "$2/studies/hospitals/ward.toml" --samples 500 --figure ward.svg
 grep -q "<svg" ward.svg || complain "no figure"

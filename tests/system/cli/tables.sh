@@ -70,13 +70,13 @@ expect 0 "" "$gurney" run model.toml -o model.h5 -j 2
 for file in tables model; do
   expect 0 "items.csv" "$gurney" export "$file.h5" --to csv -o "csv_$file"
 done
-# Tables have all digits of the model's floors: what differs is the order in which their velocities are summed.
+# Tables have nine digits behind the point, 5e-10 of an acceleration of 1 m/s2: peaks may differ by 200 times that.
 python3 - << 'PY' > stdout 2> stderr || complain "runs under tables are not those under the model's floors"
 import csv
 a, b = (list(csv.reader(open(f"csv_{name}/items.csv"))) for name in ("tables", "model"))
 column = a[0].index("peak_displacement")
 pairs = [(float(x[column]), float(y[column])) for x, y in zip(a[2:], b[2:], strict=True)]
-assert len(pairs) == 6 and all(abs(x - y) <= 1e-4 * y for x, y in pairs), pairs
+assert len(pairs) == 6 and all(abs(x - y) <= 1e-7 * y for x, y in pairs), pairs
 PY
 refused() {  # TEXT SED...: the job with that change
   sed "${@:2}" job.toml > bad.toml
