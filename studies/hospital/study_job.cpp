@@ -97,7 +97,9 @@ std::string study_job(const Hospital& hospital, const Consequences& consequences
       toml_string(design.items().front().equipment), kAnyWay);
   if (!study.covering.empty())
     text += "[floor]\ncovering = " + toml_string(study.covering) + "\n\n";
-  text += "[excitation]\nrecord = " + study.record + "\n\n[study]\n";
+  // An item that has fallen is out of use: what it does on the floor costs time, and may fail the run.
+  text += "[excitation]\nrecord = " + study.record +
+          "\n\n[settings]\nfollow_overturning = false\n\n[study]\n";
   if (study.synthetic_records > 0)
     text += fmt::format("synthetic_records = {}\n", study.synthetic_records);
   text += fmt::format(
