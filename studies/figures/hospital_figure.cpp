@@ -9,7 +9,7 @@
 namespace gurney::figures {
 namespace {
 
-constexpr double kRowHeight = 26, kHospitalHead = 90, kMostName = 195;  // [px]
+constexpr double kRowHeight = 26, kHospitalHead = 90;  // [px]
 constexpr const char *kNothing = "#b0b0b0", *kInterval = "#d55e00";
 constexpr std::size_t kGained = 2, kMostActions = 20;
 
@@ -63,7 +63,7 @@ PlotPanel ranking_panel(const study::HospitalAnswer& answer) {
   Range range{0, 0};
   for (std::size_t i = 0; i < std::min(kMostActions, answer.ranking.size()); ++i) {
     const study::RankedAction& action = answer.ranking[i];
-    panel.rows.push_back(fitted(action.name + ": " + action.group, 11, kMostName));
+    panel.rows.push_back(action.name + ": " + action.group);
     add_answer(panel, action.gain, static_cast<double>(i) + 0.5, 0.25,
                action.taken ? palette(kGained) : std::string(kNothing));
     range =

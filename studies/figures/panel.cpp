@@ -227,7 +227,8 @@ void draw_rows(Svg& svg, const Frame& frame, const Panel& panel) {
     const double top = frame.y + static_cast<double>(i) * high;
     if (i > 0)
       svg.line(frame.x, top, frame.x + frame.width, top, {.stroke = "#cccccc", .width = 0.6});
-    const std::vector<std::string> lines = lines_of(panel.rows[i], kSize, frame.x - 12);
+    const std::vector<std::string> lines =
+        lines_of(panel.rows[i], kSize, (frame.x - 12) / kWiderFont);
     const auto fit = std::max(1.0, std::floor(high / kLine));
     const auto count = std::min(lines.size(), static_cast<std::size_t>(fit));
     double y = top + high / 2 + 3.5 - kLine * 0.5 * (static_cast<double>(count) - 1);

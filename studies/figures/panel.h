@@ -78,7 +78,10 @@ Range widened(Range range, const std::vector<double>& values);
 /// Words in lines that are no wider than `width` [px].
 std::vector<std::string> lines_of(const std::string& text, double size, double width);
 
-/// About how wide a text of this size is [px].
+/// Factor from the widths of text_width to those of the wide fonts of some systems (DejaVu Sans) [-].
+inline constexpr double kWiderFont = 1.15;
+
+/// About how wide a text of this size is in Helvetica [px].
 double text_width(const std::string& text, double size);
 
 /// The beginning of a text, with an ellipsis where the whole is wider.
