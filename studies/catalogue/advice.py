@@ -1,30 +1,26 @@
-"""What to do with an item, by the rule of docs/catalogue/methods.md, from probabilities.csv and brakes.csv.
+"""What to do with an item, by the rule of docs/catalogue/methods.md, from losses.csv.
 
-A thing is "shown" where its interval of 95 % says so; what the motions neither show nor exclude is not
-advised upon.
+It is the setting of the brakes with the least expected loss, and a tether where even that leaves it out of service too
+often.
 """
 
 import csv
 import os
 
 from catalogue import motion_rows
+from losses import SETTLED, SETTINGS, SPEEDS
 
 MOTION_COUNT = len(motion_rows())
-SPEED = "0.8"  # [m/s] peak floor velocity of the advice
-FEW = 0.05  # a probability that counts as small
-MOST = 0.15  # that a small probability must not reach with its upper end; 0 of 32 motions exclude 0.11
+FLOOR, PLACE, SPEED = "flexible building", "open", "0.8"  # of the advice; peak floor velocity [m/s]
+MOST_LOST = 0.1  # chance that it serves no longer, above which brakes alone are not enough; an assumption
 ACTIONS = {
-    "high": "Tether it high",
     "tether": "Tether it",
-    "leave": "Leave it",
-    "brake": "Set the brakes",
-    "alike": "No difference shown",
-    "open": "Not decided",
+    "on": "Set the brakes",
+    "locked": "Set the brakes, lock the swivels",
+    "off": "Leave the brakes off",
+    "open": "Not settled",
 }
-
-
-def percent(value):
-    return "0" if value < 0.005 else f"{100 * value:.0f}"
+SETTING_WORDS = {"off": "brakes off", "on": "brakes on", "locked": "brakes on and swivels locked"}
 
 
 def read(folder, name):
@@ -32,60 +28,59 @@ def read(folder, name):
         return list(csv.DictReader(file))
 
 
+def percent(value):
+    return "0" if value < 0.005 else f"{100 * value:.0f}"
+
+
+def days(value):
+    return f"{value:.2f}" if value < 10 else f"{value:.0f}"
+
+
 class Advice:
     def __init__(self, tables):
-        self.probabilities = {(r["item"], r["brakes"], r["limit_state"], r["pfv"]): r
-                              for r in read(tables, "probabilities.csv")}
-        self.brakes = {(r["item"], r["brakes"], r["limit_state"]): r for r in read(tables, "brakes.csv")}
+        self.rows = {(r["item"], r["floor"], r["place"], r["pfv"]): r for r in read(tables, "losses.csv")}
 
-    def interval(self, item, brakes, limit):
-        """Probability, 0 where no curve gives one, and the ends of its interval."""
-        row = self.probabilities[item, brakes, limit, SPEED]
-        return float(row["probability"] or 0), float(row["low"]), float(row["high"])
+    def row(self, item, floor=FLOOR, place=PLACE, speed=SPEED):
+        return self.rows[item, floor, place, str(speed)]
 
-    def words(self, item, brakes, limit):
-        middle, low, high = self.interval(item, brakes, limit)
-        return f"{percent(middle)} % ({percent(low)} to {percent(high)} %)"
+    def settled(self, row):
+        return float(row["share"]) >= SETTLED and row["best"] == row["best_by_cost"]
 
-    def overturns(self, item, brakes):
-        middle, low, high = self.interval(item, brakes, "overturned")
-        if low > FEW:
-            return "shown"
-        return "small" if middle <= FEW and high <= MOST else "open"
+    def action(self, item, **where):
+        row = self.row(item, **where)
+        if not self.settled(row):
+            return "open"
+        return "tether" if float(row["lost_" + row["best"]]) > MOST_LOST else row["best"]
 
-    def shortens(self, item):
-        """Do brakes keep it within 1 m more often? The interval of the paired difference says so."""
-        return float(self.brakes[item, "on", "moved 1 m"]["high"]) < 0
-
-    def action(self, item):
-        free, on, locked = (self.overturns(item, brakes) for brakes in ("off", "on", "locked"))
-        if free == "shown":
-            return "high"
-        if on == "shown" or (locked == "shown" and on != "small"):
-            return "tether"
-        if self.interval(item, "off", "moved 1 m")[2] <= MOST:
-            return "leave"
-        if not self.shortens(item):
-            return "alike"
-        return "brake" if on == "small" else "open"
+    def words(self, item, quantity, setting, **where):
+        """Mean and interval of the days out of use, or of the chance of lost service [%]."""
+        row, text = self.row(item, **where), {"days": days, "lost": percent}[quantity]
+        middle, low, high = (text(float(row[f"{quantity}_{setting}{end}"])) for end in ("", "_low", "_high"))
+        return f"{middle} ({low} to {high})"
 
     def reason(self, item):
+        row, best = self.row(item), self.row(item)["best"]
+        loss = ", ".join(f"{self.words(item, 'days', s)} with {SETTING_WORDS[s]}" for s in SETTINGS)
+        text = f"expected days out of use {loss}"
         action = self.action(item)
-        if action == "high":
-            return f"it overturns even on free casters, {self.words(item, 'off', 'overturned')}"
         if action == "tether":
-            worse = "on" if self.overturns(item, "on") == "shown" else "locked"
-            return f"with its brakes {worse} it overturns, {self.words(item, worse, 'overturned')}"
-        if action == "leave":
-            return f"free it moves 1 m in {self.words(item, 'off', 'moved 1 m')}"
-        if action == "brake":
-            unless = ", but do not lock its swivels" if self.overturns(item, "locked") == "shown" else ""
-            falls = self.words(item, "on", "overturned")
-            return f"it moves 1 m less often, and overturning is not shown, {falls}{unless}"
-        if action == "alike":
-            return f"{MOTION_COUNT} motions do not show that its brakes shorten its way"
-        return (f"its brakes shorten its way; whether it then overturns {MOTION_COUNT} motions neither show nor exclude, "
-                f"{self.words(item, 'on', 'overturned')}")
+            return (f"even with its {SETTING_WORDS[best]}, where it loses least, its service is lost in "
+                    f"{self.words(item, 'lost', best)} %; {text}. Until it is tethered: {SETTING_WORDS[best]}")
+        if action == "open":
+            share = percent(float(row["share"]))
+            text += f"; {SETTING_WORDS[best]} loses least in {share} % of the samples"
+            if row["best_by_cost"] != best:
+                text += f"; by cost {SETTING_WORDS[row['best_by_cost']]} loses least"
+            if row["depends_on"]:
+                text += f"; it depends on what follows from: {row['depends_on'].replace(';', ',')}"
+            return text
+        return f"{text}; least in {percent(float(row['share']))} % of the samples"
 
     def line(self, item):
         return f"**{ACTIONS[self.action(item)]}**: {self.reason(item)}"
+
+    def mark(self, item, **where):
+        """Setting with the least loss, `?` where it is not settled, `+` where brakes alone are not enough."""
+        row = self.row(item, **where)
+        lost = float(row["lost_" + row["best"]]) > MOST_LOST
+        return row["best"] + ("" if self.settled(row) else "?") + ("+" if lost else "")

@@ -14,11 +14,11 @@ import subprocess
 import sys
 import textwrap
 
-from advice import ACTIONS, MOTION_COUNT, SPEED, Advice, read
+from advice import ACTIONS, FLOOR, MOTION_COUNT, PLACE, SPEED, SPEEDS, Advice, read
 from catalogue import VARIANCE
 from tables import FURTHER, much_better
 
-WHERE = ("flexible building", "open")  # of the overview
+WHERE = (FLOOR, PLACE)  # of the overview
 MOVED = ["moved 0.1 m", "moved 0.3 m", "moved 1 m"]
 HIT = ["hit at 0.4 m/s", "hit at 0.8 m/s"]
 SETTINGS = ["off", "on", "locked"]
@@ -64,23 +64,42 @@ def decisions(advice, names):
 
 
 def overview(advice, names):
-    lines = ["| item | moves 1 m, brakes off | moves 1 m, on | overturns, on | overturns, locked | |",
-             "| --- | --- | --- | --- | --- | --- |"]
-    columns = [("off", "moved 1 m"), ("on", "moved 1 m"), ("on", "overturned"), ("locked", "overturned")]
+    lines = ["| item | days, brakes off | on | locked | lost [%], off | on | locked | |",
+             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
     for item, name in names.items():
-        cells = " | ".join(advice.words(item, *column) for column in columns)
+        cells = " | ".join(advice.words(item, quantity, setting)
+                           for quantity in ("days", "lost") for setting in SETTINGS)
         lines.append(f"| [{name}]({item}.md) | {cells} | {ACTIONS[advice.action(item)].lower()} |")
     return lines
 
 
-def overview_page(advice, names):
+def action_map(advice, floors, names, place):
+    """The setting with the least loss, by floor and level."""
+    columns = [f"{floor.removesuffix(' building')} {speed}" for floor in floors for speed in SPEEDS]
+    lines = ["| item | " + " | ".join(columns) + " |", "| --- " * (1 + len(columns)) + "|"]
+    for item, name in names.items():
+        marks = (advice.mark(item, floor=floor, place=place, speed=speed) for floor in floors for speed in SPEEDS)
+        lines.append(f"| [{name}]({item}.md) | " + " | ".join(marks) + " |")
+    return lines
+
+
+def overview_page(advice, names, floors):
     return ["# What to brake, what to tether, what to leave", "",
-            *wrapped(f"What to do at a peak floor velocity of {SPEED} m/s, upstairs in a flexible building, on an open "
-                     f"floor, from {MOTION_COUNT} motions ([rule](methods.md#what-to-do)). {CAUTION}"), "",
+            *wrapped("The action with the least expected time out of use at a peak floor velocity of "
+                     f"{SPEED} m/s, upstairs in a flexible building, on an open floor, from {MOTION_COUNT} motions "
+                     f"([rule](methods.md#what-to-do)). {CAUTION}"), "",
             *decisions(advice, names), "",
-            "Where the results are inconclusive, tether the item: that is safe in either case.", "",
-            "Probabilities, with intervals of 95 %:", "",
-            *overview(advice, names), ""]
+            *wrapped("Where it is not settled, a tether avoids the choice. None is among these runs: its anchor, its "
+                     "slack and the hits at its end are a study of their own ([tethers](../formats/room_file.md#tethers)). "
+                     "What a fall or a torn line costs is an assumption with a range (`equipment/consequences.toml`): "
+                     "put in what they cost you ([how](methods.md#what-to-do))."), "",
+            "Days out of use and chance that its service is lost, with intervals of 95 %:", "",
+            *overview(advice, names), "",
+            "## By floor and level", "",
+            *wrapped("Floor and peak floor velocity [m/s]: the brakes with the least loss (off, on, locked: on with locked "
+                     "swivels); `?`: not settled; `+`: its service is lost in more than 10 % all the same, tether it."), "",
+            "Open floor:", "", *action_map(advice, floors, names, "open"), "",
+            "Bay, with walls behind and beside it:", "", *action_map(advice, floors, names, "bay"), ""]
 
 
 def overturned_cell(rows):
@@ -101,6 +120,18 @@ def item_table(catalogue, item, place):
                 cells[-1] = overturned_cell(rows)
             mark = "†" if much_better(catalogue.measure_of[item, floor, place, brakes]) else ""
             lines.append(f"| {floor.removesuffix(' building')} | {brakes}{mark} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def loss_table(catalogue, advice, item):
+    lines = ["| floor | place | brakes off | on | locked | least |", "| --- " * 6 + "|"]
+    for floor in catalogue.floors:
+        for place in ("open", "bay"):
+            where = {"floor": floor, "place": place}
+            cells = " | ".join(advice.words(item, "days", setting, **where) for setting in SETTINGS)
+            row = advice.row(item, **where)
+            lines.append(f"| {floor.removesuffix(' building')} | {place} | {cells} | {row['best']}, "
+                         f"{100 * float(row['share']):.0f} % |")
     return lines
 
 
@@ -160,6 +191,9 @@ def item_page(catalogue, advice, item, sheet):
         *wrapped(f"{advice.line(item)} ([rule](methods.md#what-to-do)). {CAUTION}"), "",
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
+        "## Expected days out of use", "",
+        f"At a peak floor velocity of {SPEED} m/s, with intervals of 95 %; least: setting, share of the samples:", "",
+        *loss_table(catalogue, advice, item), "",
         "## Fragility", "",
         "Median peak floor velocity [m/s] (logarithmic standard deviation) or runs that exceed",
         "([legend](methods.md#pages-of-the-items)). Open floor:", "",
@@ -198,7 +232,7 @@ def texts(gurney, tables):
     catalogue, advice = Catalogue(tables), Advice(tables)
     sheets = {item: sheet_of(gurney, item) for item in catalogue.items}
     pages = {item + ".md": item_page(catalogue, advice, item, sheet) for item, sheet in sheets.items()}
-    pages["items.md"] = overview_page(advice, {item: sheet["name"] for item, sheet in sheets.items()})
+    pages["items.md"] = overview_page(advice, {item: sheet["name"] for item, sheet in sheets.items()}, catalogue.floors)
     return {name: "\n".join(lines) for name, lines in pages.items()}
 
 

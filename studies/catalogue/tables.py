@@ -2,16 +2,14 @@
 
 usage: tables.py GURNEY RESULTS TABLES
 
-TABLES gets fragility.csv (every curve with its interval, or why there is none), probabilities.csv and
-brakes.csv (what the advice rests on), measures.csv (which intensity measure predicts the displacement
-best), best_measure.csv (curves on it where it is much better), more_states.csv (curves of further limit
-states), pelicun/ and nrml/ (libraries.py).
+TABLES gets fragility.csv (every curve with its interval, or why there is none), measures.csv (which intensity
+measure predicts the displacement best), best_measure.csv (curves on it where it is much better), more_states.csv
+(curves of further limit states), pelicun/ and nrml/ (libraries.py).
 """
 
 import csv
 import glob
 import json
-import math
 import os
 import subprocess
 import sys
@@ -19,10 +17,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import libraries
 
-ADVISED = ("flexible building", "open")  # where the advice is given, and at which velocities [m/s]
-SPEEDS = (0.4, 0.8)
+FURTHER_FLOOR = "flexible building"
 BRAKES = ("off", "on", "locked")
-COMPARED = ("moved 1 m = peak_displacement > 1 m", "overturned")
 MUCH_BETTER = 0.3  # the scatter about the peak floor velocity is larger by this than about the best measure
 FURTHER = {  # limit states from the demands that every run has; what they bound: docs/catalogue/methods.md
     "0.5 m from its outlet": "peak_displacement > 0.5 m",
@@ -97,56 +93,16 @@ def sensitive_point(item):
 def further_rows(gurney, item, file):
     states = [word for name, words in FURTHER.items()
               for word in ("--limit-state", f"{name} = {words.format(item=item, point=sensitive_point(item))}")]
-    wanted = [", ".join([ADVISED[0], place, brakes]) for place in ("open", "bay") for brakes in BRAKES]
+    wanted = [", ".join([FURTHER_FLOOR, place, brakes]) for place in ("open", "bay") for brakes in BRAKES]
     names = present(gurney, file, wanted)
     if names:
         yield from curve_rows(gurney, item, file, "pfv", "--measure", "pfv", *states, "--configuration", *names)
-
-
-def at_intensity(curve, band, im):
-    """Probability and its interval: of the curve where there is one, between the points of the band."""
-    above = next(i for i, point in enumerate(band) if point[0] >= im)
-    (x0, *lower), (x1, *upper) = band[above - 1], band[above]
-    share = math.log(im / x0) / math.log(x1 / x0)
-    ends = [a + share * (b - a) for a, b in zip(lower, upper)]
-    middle = 0.5 * math.erfc(-math.log(im / curve["theta"]) / curve["beta"] / math.sqrt(2)) if curve else None
-    return middle, *ends
 
 
 def present(gurney, file, names):
     """Those configurations that were run."""
     done = json.loads(output_of(gurney, "show", file, "--json"))["configurations"]
     return [name for name in names if name in done]
-
-
-def probability_rows(gurney, item, file):
-    """Probabilities where the advice is given. Without a curve there is an interval only."""
-    names = present(gurney, file, [", ".join([*ADVISED, brakes]) for brakes in BRAKES])
-    if not names:
-        return
-    fits = json.loads(output_of(gurney, "fragility", file, "--measure", "pfv", "--configuration", *names, "--json"))
-    for each in fits["fragilities"]:
-        brakes = setting_of(each["configuration"])[2]
-        for speed in SPEEDS:
-            middle, low, high = at_intensity(each["curve"], each["band"], speed) if each["band"] else (None, 0, 1)
-            yield {"item": item, "brakes": brakes, "limit_state": each["limit_state"], "pfv": speed,
-                   "probability": "" if middle is None else f"{middle:.4f}", "low": f"{low:.4f}",
-                   "high": f"{high:.4f}"}
-
-
-def brake_rows(gurney, item, file):
-    """By how much the share of runs that exceed is smaller with brakes than without, run by run in pairs."""
-    states = [word for state in COMPARED for word in ("--limit-state", state)]
-    for brakes in BRAKES[1:]:
-        pair = [", ".join([*ADVISED, setting]) for setting in ("off", brakes)]
-        if present(gurney, file, pair) != pair:
-            continue
-        names = ["--configurations", ",".join(pair)]
-        for each in json.loads(output_of(gurney, "compare", file, *names, *states, "--json"))["shares"]:
-            low, high = each["interval"]
-            yield {"item": item, "brakes": brakes, "limit_state": each["name"], "off": number(each["a"]),
-                   "braked": number(each["b"]), "difference": number(each["difference"]), "low": number(low),
-                   "high": number(high), "p": number(each["p"])}
 
 
 def measure_rows(gurney, item, file):
@@ -184,12 +140,6 @@ def main():
     os.makedirs(tables, exist_ok=True)
     write_csv(os.path.join(tables, "fragility.csv"), COLUMNS,
               of_all(files, lambda item, file: fragility_rows(gurney, item, file)))
-    write_csv(os.path.join(tables, "probabilities.csv"),
-              ["item", "brakes", "limit_state", "pfv", "probability", "low", "high"],
-              of_all(files, lambda item, file: probability_rows(gurney, item, file)))
-    write_csv(os.path.join(tables, "brakes.csv"),
-              ["item", "brakes", "limit_state", "off", "braked", "difference", "low", "high", "p"],
-              of_all(files, lambda item, file: brake_rows(gurney, item, file)))
     measures = of_all(files, lambda item, file: measure_rows(gurney, item, file))
     write_csv(os.path.join(tables, "measures.csv"),
               ["item", "floor", "place", "brakes", "best", "best_scatter", "second", "second_scatter", "pfv_scatter"],

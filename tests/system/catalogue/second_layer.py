@@ -97,6 +97,41 @@ def check_draws():
                            f"{float(one['ratio']):.2f}", f"{float(row['ratio']):.2f}"]))
 
 
+def check_losses():
+    import losses
+    # The worst counts: 30 days in 10 %, 0.1 days in the 20 % that move 1 m without a fall.
+    values = {"overturned": 30, "moved 1 m": 0.1, "moved 0.1 m": 0}
+    chances = {"overturned": 0.1, "moved 1 m": 0.3, "moved 0.1 m": 0.9}
+    assert math.isclose(losses.expected(values, chances), 30 * 0.1 + 0.1 * 0.2), losses.expected(values, chances)
+    # A rarer milder state adds nothing.
+    assert losses.expected(values, chances | {"moved 1 m": 0.05}) == 3
+    one = {"theta": "0.8", "theta_low": "0.4", "theta_high": "1.6", "beta": "0.5", "beta_low": "", "beta_high": "inf"}
+    assert losses.probability(one, 0.8, 0) == 0.5
+    # At the score of its upper end the median is 0.4: ln 2 / 0.5 deviations below.
+    upper = statistics.NormalDist().cdf(math.log(2) / 0.5)
+    assert math.isclose(losses.probability(one, 0.8, losses.Z95), upper), losses.probability(one, 0.8, losses.Z95)
+    assert math.isclose(losses.probability(one | {"theta_high": "inf"}, 0.8, -losses.Z95), 1 - upper)
+    # Median of Beta(1/2, n + 1/2) near 0: that of a chi-squared of one degree over 2 n.
+    assert math.isclose(losses.probability({"theta": "", "runs": "128"}, 0.8, 0), 0.45494 / 256, rel_tol=1e-4)
+    assert losses.within((0, 0.1, 1), 0.5) == 0.1 and losses.within((0, 0.1, 1), 1) == 1
+    # Brakes off moves 1 m always, on falls in 1 %: 0.1 against 0.3 days, so off, until a metre costs the most it may.
+    always, never = one | {"theta": "1e-9"}, one | {"theta": "1e9"}
+    rarely = one | {"theta": str(0.8 * math.exp(0.5 * 2.3263479))}
+    falls = {"moved 1 m": never, "overturned": rarely}
+    curves = {"off": {"moved 1 m": always, "overturned": never}, "on": falls, "locked": falls}
+    states_of = {"moved 1 m": (0.02, 0.1, 1), "overturned": (29, 30, 31)}
+    assert list(losses.depends_on(curves, states_of, 0.8, "off")) == ["moved 1 m"]
+
+    shipped = {(row["item"], row["floor"], row["place"], row["pfv"]): row for row in read("losses.csv")}
+    again = list(losses.rows(data, only=lambda item, floor, *_: (item, floor) == ("icu_bed", "flexible building")))
+    assert len(again) == 6
+    for row in again:
+        old = shipped[row["item"], row["floor"], row["place"], str(row["pfv"])]
+        assert old == {key: str(value) for key, value in row.items()}, (old, row)
+    states(f"{losses.SAMPLES} samples")
+    states(f"less than {100 * losses.SETTLED:.0f} % of the samples")
+
+
 def check_widths():
     import widths
     assert [(size, sets) for size, sets in widths.parts(list("abcdefgh"))] == [
@@ -155,6 +190,7 @@ def check_variance():
 check_halves()
 check_suites()
 check_draws()
+check_losses()
 check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
     check_variance()

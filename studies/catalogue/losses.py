@@ -1,0 +1,171 @@
+"""Writes losses.csv: what each setting of the brakes is expected to cost, by item, floor, place and velocity.
+
+usage: losses.py TABLES [CONSEQUENCES]
+
+TABLES has fragility.csv and gets losses.csv; CONSEQUENCES (default: equipment/consequences.toml) says what follows
+from each limit state. Docs: docs/catalogue/methods.md, What to do.
+"""
+
+import csv
+import math
+import os
+import random
+import statistics
+import sys
+import tomllib
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CONSEQUENCES = os.path.join(HERE, "..", "..", "equipment", "consequences.toml")
+SETTINGS = ("off", "on", "locked")
+SPEEDS = (0.4, 0.8, 1.2)  # [m/s] peak floor velocity
+SAMPLES = 400
+SETTLED = 0.9  # share of the samples in which an action has the least loss
+QUANTITIES = ("days", "cost_ratio")
+COLUMNS = ["item", "floor", "place", "pfv", *(f"{q}_{s}{end}" for q in (*QUANTITIES, "lost") for s in SETTINGS
+           for end in ("", "_low", "_high")), "best", "share", "best_by_cost", "share_by_cost", "depends_on"]
+Z95 = statistics.NormalDist().inv_cdf(0.975)
+
+
+def consequences(path=CONSEQUENCES):
+    """For each quantity and item (None: any) the states with (low, value, high); the last that fits counts."""
+    with open(path, "rb") as file:
+        rows = tomllib.load(file)["consequence"]
+
+    def bounds(value):
+        return (value["range"][0], value["value"], value["range"][1]) if isinstance(value, dict) else (value,) * 3
+
+    def of(item, quantity):
+        return {row["limit_state"]: bounds(row[quantity]) for row in rows
+                if "items" not in row or item in row["items"]}
+
+    return of
+
+
+def losing(of_item):
+    """States after which the item serves no longer where it stands."""
+    return {state for state, service in of_item("service").items() if service[1] == "lost"}
+
+
+def within(bounds, u):
+    """Quantile of a value whose median is its stated value, linear on either side up to the ends of its range."""
+    low, value, high = bounds
+    return low + 2 * u * (value - low) if u < 0.5 else value + (2 * u - 1) * (high - value)
+
+
+def spread(curve, name, z):
+    """Parameter of a curve at a normal score, with the width of its interval on that side; the other side's
+    width where the interval has no end there."""
+    middle = float(curve[name])
+    ends = [curve[name + end] for end in ("_low", "_high")]
+    widths = [abs(math.log(float(end) / middle)) if end not in ("", "inf", "0") else None for end in ends]
+    width = widths[z > 0] if widths[z > 0] is not None else widths[z <= 0] or 0
+    return middle * math.exp(z * width / Z95)
+
+
+def probability(curve, speed, z, z_beta=0):
+    """Chance to exceed at a peak floor velocity.
+
+    @param z       score of the uncertainty of its median, larger is likelier
+    @param z_beta  and of its dispersion
+
+    Without a curve none of the runs exceeds. Jeffreys' prior then gives Beta(1/2, runs + 1/2): near 0 the chance is
+    x^2 / (2 runs) with x standard normal, whose |x| has the quantile of z at (1 + Phi(z)) / 2.
+    """
+    if not curve["theta"]:
+        half = statistics.NormalDist().cdf(z) / 2 + 0.5
+        return min(1, statistics.NormalDist().inv_cdf(min(half, 1 - 1e-12)) ** 2 / (2 * float(curve["runs"])))
+    theta, beta = spread(curve, "theta", -z), spread(curve, "beta", z_beta)
+    return 0.5 * math.erfc(-math.log(speed / theta) / beta / math.sqrt(2))
+
+
+def expected(values, chances):
+    """Mean of the worst that happens: rarer states of an item come after more frequent ones, as in gurney hospital."""
+    loss = reached = 0.0
+    for state in sorted(values, key=values.get, reverse=True):
+        chance = max(reached, chances.get(state, 0))
+        loss += values[state] * (chance - reached)
+        reached = chance
+    return loss
+
+
+def least(losses):
+    return min(SETTINGS, key=lambda setting: (losses[setting], SETTINGS.index(setting)))
+
+
+def ends(values):
+    ordered = sorted(values)
+    at = lambda share: ordered[min(len(ordered) - 1, int(share * len(ordered)))]
+    return at(0.025), at(0.975)
+
+
+def depends_on(curves, states, speed, best):
+    """States whose assumed value, at an end of its range alone, makes another action the best."""
+    chances = {s: {state: probability(curves[s][state], speed, 0) for state in states} for s in SETTINGS}
+    for state, bounds in states.items():
+        for end in {bounds[0], bounds[2]} - {bounds[1]}:
+            values = {name: each[1] for name, each in states.items()} | {state: end}
+            if least({s: expected(values, chances[s]) for s in SETTINGS}) != best:
+                yield state
+                break
+
+
+def row_of(curves, of_item, speed, seed):
+    """@param curves  by setting and limit state"""
+    random_source = random.Random(seed)
+    known = next(iter(curves.values()))
+    states = {q: {state: b for state, b in of_item(q).items() if state in known} for q in QUANTITIES}
+    lost = losing(of_item) & set(known)
+    samples = {q: [] for q in (*QUANTITIES, "lost")}
+    for _ in range(SAMPLES):
+        # The motions of all settings are the same ones, and so are the scores of their curves.
+        z = {state: (random_source.gauss(0, 1), random_source.gauss(0, 1)) for state in known}
+        chances = {s: {state: probability(curves[s][state], speed, *z[state]) for state in known} for s in SETTINGS}
+        for quantity in QUANTITIES:
+            values = {state: within(b, random_source.random()) for state, b in states[quantity].items()}
+            samples[quantity].append({s: expected(values, chances[s]) for s in SETTINGS})
+        samples["lost"].append({s: max(chances[s][state] for state in lost) for s in SETTINGS})
+    row = {"pfv": speed}
+    for quantity in samples:  # days, cost, chance of lost service
+        for s in SETTINGS:
+            low, high = ends(each[s] for each in samples[quantity])
+            name = f"{quantity}_{s}"
+            mean = statistics.fmean(each[s] for each in samples[quantity])
+            row |= {name: f"{mean:.3g}", name + "_low": f"{low:.3g}", name + "_high": f"{high:.3g}"}
+    for quantity, best, share in (("days", "best", "share"), ("cost_ratio", "best_by_cost", "share_by_cost")):
+        row[best] = least({s: statistics.fmean(each[s] for each in samples[quantity]) for s in SETTINGS})
+        row[share] = f"{sum(each[row[best]] <= min(each.values()) for each in samples[quantity]) / SAMPLES:.2f}"
+    row["depends_on"] = "; ".join(depends_on(curves, states["days"], speed, row["best"]))
+    return row
+
+
+def curves_of(tables):
+    """Curves on the peak floor velocity by item, floor and place, then by setting and limit state."""
+    result = {}
+    with open(os.path.join(tables, "fragility.csv"), newline="") as file:
+        for row in csv.DictReader(file):
+            if row["measure"] == "pfv":
+                of = result.setdefault((row["item"], row["floor"], row["place"]), {})
+                of.setdefault(row["brakes"], {})[row["limit_state"]] = row
+    return result
+
+
+def rows(tables, path=CONSEQUENCES, only=lambda *_: True):
+    of = consequences(path)
+    for (item, floor, place), curves in curves_of(tables).items():
+        for speed in SPEEDS:
+            if only(item, floor, place, speed):
+                yield {"item": item, "floor": floor, "place": place} | row_of(
+                    curves, lambda quantity: of(item, quantity), speed, f"{item} {floor} {place} {speed}")
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    with open(os.path.join(sys.argv[1], "losses.csv"), "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows(*sys.argv[1:]))
+
+
+if __name__ == "__main__":
+    main()
