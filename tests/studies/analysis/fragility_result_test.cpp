@@ -151,6 +151,14 @@ TEST_F(FragilityResultTest, AnIdaOfOverturningIsCautionedAgainst) {
   EXPECT_THAT(report, testing::HasSubstr("12 of 12 records"));
 }
 
+TEST_F(FragilityResultTest, AnIdaWithoutOverturningIsNot) {
+  CurveAudit audit;
+  audit.of_capacities = true;
+  EXPECT_THAT(cautions(audit, {}), testing::IsEmpty());
+  audit.overturned = 1;
+  EXPECT_THAT(cautions(audit, {}), testing::SizeIs(1));
+}
+
 TEST_F(FragilityResultTest, AQuasiCompleteSeparationHasNoMedian) {
   std::vector<SmallRun> runs;
   for (std::size_t record = 0; record < 44; ++record) {
