@@ -1,7 +1,6 @@
 """What to do with an item, by the rule of docs/catalogue/methods.md, from losses.csv.
 
-It is the setting of the brakes with the least expected loss, and a tether where even that leaves it out of service too
-often.
+It is the setting of the brakes with the least expected loss, unless even that leaves it out of service too often.
 """
 
 import csv
@@ -14,7 +13,7 @@ MOTION_COUNT = len(motion_rows())
 FLOOR, PLACE, SPEED = "flexible building", "open", "0.8"  # of the advice; peak floor velocity [m/s]
 MOST_LOST = 0.1  # chance that it serves no longer, above which brakes alone are not enough; an assumption
 ACTIONS = {
-    "tether": "Tether it",
+    "hold": "Brakes do not keep it in service",
     "on": "Set the brakes",
     "locked": "Set the brakes, lock the swivels",
     "off": "Leave the brakes off",
@@ -50,7 +49,7 @@ class Advice:
         row = self.row(item, **where)
         if not self.settled(row):
             return "open"
-        return "tether" if float(row["lost_" + row["best"]]) > MOST_LOST else row["best"]
+        return "hold" if float(row["lost_" + row["best"]]) > MOST_LOST else row["best"]
 
     def words(self, item, quantity, setting, **where):
         """Mean and interval of the days out of use, or of the chance of lost service [%]."""
@@ -63,9 +62,9 @@ class Advice:
         loss = ", ".join(f"{self.words(item, 'days', s)} with {SETTING_WORDS[s]}" for s in SETTINGS)
         text = f"expected days out of use {loss}"
         action = self.action(item)
-        if action == "tether":
-            return (f"even with its {SETTING_WORDS[best]}, where it loses least, its service is lost in "
-                    f"{self.words(item, 'lost', best)} %; {text}. Until it is tethered: {SETTING_WORDS[best]}")
+        if action == "hold":
+            return (f"even with {SETTING_WORDS[best]}, where it loses least, its service is lost in "
+                    f"{self.words(item, 'lost', best)} %; {text}. [What straps do](tethers.md)")
         if action == "open":
             share = percent(float(row["share"]))
             text += f"; {SETTING_WORDS[best]} loses least in {share} % of the samples"
@@ -80,7 +79,7 @@ class Advice:
         return f"**{ACTIONS[self.action(item)]}**: {self.reason(item)}"
 
     def mark(self, item, **where):
-        """Setting with the least loss, `?` where it is not settled, `+` where brakes alone are not enough."""
+        """Setting with the least loss, `?` where it is not settled, `+` where brakes do not keep it in service."""
         row = self.row(item, **where)
         lost = float(row["lost_" + row["best"]]) > MOST_LOST
         return row["best"] + ("" if self.settled(row) else "?") + ("+" if lost else "")

@@ -83,19 +83,25 @@ def job_text(gurney, item, jobs, suite, only=(), variance=False, draws=1):
     """The template with the size of the item's bay."""
     sheet = json.loads(subprocess.run([gurney, "equipment", "show", item["item"], "--json"],
                                       check=True, capture_output=True, text=True).stdout)
-    length, width = sheet["size_m"][:2]
-    back, side = length / 2 + GAP_BACK + 0.05, width / 2 + GAP_SIDE + 0.05
-    words = {
+    words = bay_words(sheet["size_m"]) | {
         "ITEM": item["item"],
         "SUITE": os.path.relpath(suite, jobs),
         "ROOT": os.path.relpath(ROOT, jobs),
-        "BACK": f"{-back:.3f}",
-        "HALF_BAY": f"{side + 0.05:.3f}",
-        "SIDE": f"{side:.3f}",
-        "FRONT": f"{length / 2:.3f}",
         "BRAKES": brakes(item["brakes"].split()),
     } | design(item, only, variance, draws)
-    with open(os.path.join(HERE, "item_study.toml.in")) as file:
+    return filled("item_study.toml.in", words)
+
+
+def bay_words(size):
+    """Where the walls of an item's bay are."""
+    length, width = size[:2]
+    back, side = length / 2 + GAP_BACK + 0.05, width / 2 + GAP_SIDE + 0.05
+    places = {"BACK": -back, "HALF_BAY": side + 0.05, "SIDE": side, "FRONT": length / 2}
+    return {name: f"{place:.3f}" for name, place in places.items()}
+
+
+def filled(template, words):
+    with open(os.path.join(HERE, template)) as file:
         text = file.read()
     for word, value in words.items():
         text = text.replace(f"@{word}@", value)

@@ -47,7 +47,7 @@ def losing(of_item):
 
 
 def within(bounds, u):
-    """Quantile of a value whose median is its stated value, linear on either side up to the ends of its range."""
+    """Quantile of a value whose median is its stated one, linear on either side up to the ends of its range."""
     low, value, high = bounds
     return low + 2 * u * (value - low) if u < 0.5 else value + (2 * u - 1) * (high - value)
 
@@ -89,7 +89,8 @@ def expected(values, chances):
 
 
 def least(losses):
-    return min(SETTINGS, key=lambda setting: (losses[setting], SETTINGS.index(setting)))
+    """The first of those that lose least."""
+    return min(losses, key=losses.get)
 
 
 def ends(values):
@@ -100,41 +101,72 @@ def ends(values):
 
 def depends_on(curves, states, speed, best):
     """States whose assumed value, at an end of its range alone, makes another action the best."""
-    chances = {s: {state: probability(curves[s][state], speed, 0) for state in states} for s in SETTINGS}
+    chances = {s: {state: probability(curves[s][state], speed, 0) for state in states} for s in curves}
     for state, bounds in states.items():
         for end in {bounds[0], bounds[2]} - {bounds[1]}:
             values = {name: each[1] for name, each in states.items()} | {state: end}
-            if least({s: expected(values, chances[s]) for s in SETTINGS}) != best:
+            if least({s: expected(values, chances[s]) for s in curves}) != best:
                 yield state
                 break
 
 
-def row_of(curves, of_item, speed, seed):
-    """@param curves  by setting and limit state"""
-    random_source = random.Random(seed)
+def states_of(curves, of_item):
+    """For each quantity the consequences of those limit states that have curves."""
     known = next(iter(curves.values()))
-    states = {q: {state: b for state, b in of_item(q).items() if state in known} for q in QUANTITIES}
+    return {q: {state: bounds for state, bounds in of_item(q).items() if state in known} for q in QUANTITIES}
+
+
+def samples_of(curves, of_item, speed, seed):
+    """Days, share of the price and chance of lost service of each setting, sample by sample.
+
+    A sample is a pair: with the stated consequences, and with those drawn from their ranges.
+
+    @param curves  by setting and limit state
+    """
+    random_source = random.Random(seed)
+    states = states_of(curves, of_item)
+    known = next(iter(curves.values()))
     lost = losing(of_item) & set(known)
     samples = {q: [] for q in (*QUANTITIES, "lost")}
     for _ in range(SAMPLES):
         # The motions of all settings are the same ones, and so are the scores of their curves.
         z = {state: (random_source.gauss(0, 1), random_source.gauss(0, 1)) for state in known}
-        chances = {s: {state: probability(curves[s][state], speed, *z[state]) for state in known} for s in SETTINGS}
+        chances = {s: {state: probability(curves[s][state], speed, *z[state]) for state in known} for s in curves}
         for quantity in QUANTITIES:
-            values = {state: within(b, random_source.random()) for state, b in states[quantity].items()}
-            samples[quantity].append({s: expected(values, chances[s]) for s in SETTINGS})
-        samples["lost"].append({s: max(chances[s][state] for state in lost) for s in SETTINGS})
+            stated = {state: bounds[1] for state, bounds in states[quantity].items()}
+            drawn = {state: within(bounds, random_source.random()) for state, bounds in states[quantity].items()}
+            samples[quantity].append(tuple({s: expected(values, chances[s]) for s in curves}
+                                           for values in (stated, drawn)))
+        samples["lost"].append(({s: max(chances[s][state] for state in lost) for s in curves},) * 2)
+    return samples
+
+
+def mean_of(samples, setting):
+    """Mean with the stated consequences."""
+    return statistics.fmean(stated[setting] for stated, _ in samples)
+
+
+def cells(samples, setting):
+    """Mean and ends of the interval, as texts."""
+    return [f"{value:.3g}" for value in (mean_of(samples, setting), *ends(drawn[setting] for _, drawn in samples))]
+
+
+def best_of(samples):
+    """The setting with the least mean, and the share of the samples in which it has the least loss."""
+    best = least({s: mean_of(samples, s) for s in samples[0][0]})
+    return best, f"{sum(drawn[best] <= min(drawn.values()) for _, drawn in samples) / len(samples):.2f}"
+
+
+def row_of(curves, of_item, speed, seed):
+    samples = samples_of(curves, of_item, speed, seed)
     row = {"pfv": speed}
-    for quantity in samples:  # days, cost, chance of lost service
+    for quantity, of in samples.items():
         for s in SETTINGS:
-            low, high = ends(each[s] for each in samples[quantity])
             name = f"{quantity}_{s}"
-            mean = statistics.fmean(each[s] for each in samples[quantity])
-            row |= {name: f"{mean:.3g}", name + "_low": f"{low:.3g}", name + "_high": f"{high:.3g}"}
-    for quantity, best, share in (("days", "best", "share"), ("cost_ratio", "best_by_cost", "share_by_cost")):
-        row[best] = least({s: statistics.fmean(each[s] for each in samples[quantity]) for s in SETTINGS})
-        row[share] = f"{sum(each[row[best]] <= min(each.values()) for each in samples[quantity]) / SAMPLES:.2f}"
-    row["depends_on"] = "; ".join(depends_on(curves, states["days"], speed, row["best"]))
+            row |= dict(zip((name, name + "_low", name + "_high"), cells(of, s)))
+    row["best"], row["share"] = best_of(samples["days"])
+    row["best_by_cost"], row["share_by_cost"] = best_of(samples["cost_ratio"])
+    row["depends_on"] = "; ".join(depends_on(curves, states_of(curves, of_item)["days"], speed, row["best"]))
     return row
 
 

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import textwrap
 
-from advice import ACTIONS, FLOOR, MOTION_COUNT, PLACE, SPEED, SPEEDS, Advice, read
+from advice import ACTIONS, FLOOR, MOTION_COUNT, PLACE, SPEED, SPEEDS, Advice, days, percent, read
 from catalogue import VARIANCE
 from tables import FURTHER, much_better
 
@@ -83,21 +83,49 @@ def action_map(advice, floors, names, place):
     return lines
 
 
+def tether_table(rows, names):
+    """What straps do in the bay: loss, chance of lost service, hits and falls of all runs, tension."""
+    lines = ["| item | held by | days | lost [%] | hit at 0.8 m/s | overturned | tension [kN] | broken |",
+             "| --- " * 8 + "|"]
+    for row in rows:
+        if row["item"] not in names:
+            continue
+        ends = (row["tension_median_n"], row["tension_p95_n"])
+        tension = " to ".join(f"{float(end) / 1000:.1f}" for end in ends if end)
+        lines.append(f"| [{names[row['item']]}]({row['item']}.md) | {row['held']} | {days(float(row['days']))} "
+                     f"({days(float(row['days_low']))} to {days(float(row['days_high']))}) "
+                     f"| {percent(float(row['lost']))} ({percent(float(row['lost_low']))} to "
+                     f"{percent(float(row['lost_high']))}) | {row['hit at 0.8 m/s']}/{row['runs']} "
+                     f"| {row['overturned']}/{row['runs']} | {tension} | {row['broken']} |")
+    return lines
+
+
+def tethers_page(rows, names):
+    return ["# What straps do", "",
+            *wrapped("Items in their bay, upstairs in the flexible building, held by nothing, by their brakes, and by straps "
+                     "to the wall behind them ([method](methods.md#tethers)). Days out of use and chance of lost service at "
+                     f"a peak floor velocity of {SPEED} m/s; runs that exceed of those at all levels; median and 95 % of "
+                     "the largest tension at a PGV of 0.8 m/s; straps that broke, of all runs."), "",
+            *wrapped("Two straps keep an item where its lines reach, and throw it against the wall: lost service becomes "
+                     "rarer, hits more frequent, and at 3 kN many straps break. By days out of use straps of this "
+                     f"kind gain little or lose, unless the wall or the item is padded: what a hit costs decides. {CAUTION}"), "",
+            *tether_table(rows, names), ""]
+
+
 def overview_page(advice, names, floors):
-    return ["# What to brake, what to tether, what to leave", "",
+    return ["# What to brake, what to hold, what to leave", "",
             *wrapped("The action with the least expected time out of use at a peak floor velocity of "
                      f"{SPEED} m/s, upstairs in a flexible building, on an open floor, from {MOTION_COUNT} motions "
                      f"([rule](methods.md#what-to-do)). {CAUTION}"), "",
             *decisions(advice, names), "",
-            *wrapped("Where it is not settled, a tether avoids the choice. None is among these runs: its anchor, its "
-                     "slack and the hits at its end are a study of their own ([tethers](../formats/room_file.md#tethers)). "
+            *wrapped("Straps keep more items in service, and throw them against the wall: [what they do](tethers.md). "
                      "What a fall or a torn line costs is an assumption with a range (`equipment/consequences.toml`): "
                      "put in what they cost you ([how](methods.md#what-to-do))."), "",
             "Days out of use and chance that its service is lost, with intervals of 95 %:", "",
             *overview(advice, names), "",
             "## By floor and level", "",
             *wrapped("Floor and peak floor velocity [m/s]: the brakes with the least loss (off, on, locked: on with locked "
-                     "swivels); `?`: not settled; `+`: its service is lost in more than 10 % all the same, tether it."), "",
+                     "swivels); `?`: not settled; `+`: its service is lost in more than 10 % all the same."), "",
             "Open floor:", "", *action_map(advice, floors, names, "open"), "",
             "Bay, with walls behind and beside it:", "", *action_map(advice, floors, names, "bay"), ""]
 
@@ -233,6 +261,7 @@ def texts(gurney, tables):
     sheets = {item: sheet_of(gurney, item) for item in catalogue.items}
     pages = {item + ".md": item_page(catalogue, advice, item, sheet) for item, sheet in sheets.items()}
     pages["items.md"] = overview_page(advice, {item: sheet["name"] for item, sheet in sheets.items()}, catalogue.floors)
+    pages["tethers.md"] = tethers_page(read(tables, "tethers.csv"), {i: sheet["name"] for i, sheet in sheets.items()})
     return {name: "\n".join(lines) for name, lines in pages.items()}
 
 
@@ -252,7 +281,7 @@ def main():
     gurney, tables, pages = arguments[0], *arguments[-2:]
     os.makedirs(os.path.join(pages, "images"), exist_ok=True)
     for name, text in texts(gurney, tables).items():
-        if not mode and name != "items.md":
+        if not mode and name not in ("items.md", "tethers.md"):
             figures(gurney, name.removesuffix(".md"), arguments[1], os.path.join(pages, "images"))
         with open(os.path.join(pages, name), "w", encoding="utf-8") as file:
             file.write(text)

@@ -36,8 +36,8 @@ def output_of(gurney, *arguments):
 
 
 def setting_of(configuration):
-    """Floor, place and brakes of a configuration's name; an item without brakes has none."""
-    return (configuration.split(", ") + ["none"])[:3]
+    """Floor, place and brakes of a configuration's name, none of what it has not."""
+    return (configuration.split(", ") + 2 * ["none"])[:3]
 
 
 def number(value):
@@ -57,7 +57,7 @@ def curve_rows(gurney, item, file, measure, *options):
         curve = each["curve"] or {}
         theta, beta = bounds(each.get("theta_interval")), bounds(each.get("beta_interval"))
         floor, place, brakes = setting_of(each["configuration"])
-        yield {"item": item, "floor": floor, "place": place, "brakes": brakes,
+        yield {"item": item, "configuration": each["configuration"], "floor": floor, "place": place, "brakes": brakes,
                "limit_state": each["limit_state"], "measure": measure, "unit": each["units"],
                "runs": each["runs"], "exceed": each["exceeded"], "failed": each["failed"],
                "theta": number(curve.get("theta")), "beta": number(curve.get("beta")),
@@ -121,7 +121,7 @@ def measure_rows(gurney, item, file):
 
 def write_csv(path, columns, rows):
     with open(path, "w", newline="") as file:
-        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer = csv.DictWriter(file, columns, lineterminator="\n", extrasaction="ignore")
         writer.writeheader()
         writer.writerows(rows)
 

@@ -132,6 +132,20 @@ def check_losses():
     states(f"less than {100 * losses.SETTLED:.0f} % of the samples")
 
 
+def check_tethers():
+    import tethers
+    # A strap is slack by 50 mm at the start: 0.1 m behind the back of an item of 0.6 m.
+    text = tethers.held((0.6, 0.5, 1.0))["one strap"]
+    assert "point_m = [-0.300, 0.000, 0.700], anchor_m = [-0.400, 0.000, 0.700], slack_length_m = 0.150" in text, text
+    text = tethers.held((0.6, 0.5, 1.0))["two straps"]
+    assert f"[-0.400, -0.450, 0.700], slack_length_m = {math.hypot(0.1, 0.2) + 0.05:.3f}" in text, text
+    items = {row["item"] for row in read("tethers.csv")}
+    for row in read("tethers.csv"):
+        assert row["failed"] == "0" and row["runs"] == "128", row
+        assert ("strap" in row["held"]) == bool(row["tension_p95_n"]), row
+    assert all(sum(row["item"] == item for row in read("tethers.csv")) == 5 for item in items)
+
+
 def check_widths():
     import widths
     assert [(size, sets) for size, sets in widths.parts(list("abcdefgh"))] == [
@@ -191,6 +205,7 @@ check_halves()
 check_suites()
 check_draws()
 check_losses()
+check_tethers()
 check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
     check_variance()
