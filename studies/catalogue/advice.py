@@ -7,7 +7,7 @@ import csv
 import os
 
 from catalogue import motion_rows
-from losses import SETTLED, SETTINGS, SPEEDS
+from losses import SETTLED, SETTINGS
 
 MOTION_COUNT = len(motion_rows())
 FLOOR, PLACE, SPEED = "flexible building", "open", "0.8"  # of the advice; peak floor velocity [m/s]
@@ -35,6 +35,12 @@ def days(value):
     return f"{value:.2f}" if value < 10 else f"{value:.0f}"
 
 
+def interval_words(row, name, text):
+    """Mean and interval of a quantity of a row, such as `0.15 (0.03 to 1.21)`."""
+    middle, low, high = (text(float(row[name + end])) for end in ("", "_low", "_high"))
+    return f"{middle} ({low} to {high})"
+
+
 class Advice:
     def __init__(self, tables):
         self.rows = {(r["item"], r["floor"], r["place"], r["pfv"]): r for r in read(tables, "losses.csv")}
@@ -53,9 +59,8 @@ class Advice:
 
     def words(self, item, quantity, setting, **where):
         """Mean and interval of the days out of use, or of the chance of lost service [%]."""
-        row, text = self.row(item, **where), {"days": days, "lost": percent}[quantity]
-        middle, low, high = (text(float(row[f"{quantity}_{setting}{end}"])) for end in ("", "_low", "_high"))
-        return f"{middle} ({low} to {high})"
+        text = {"days": days, "lost": percent}[quantity]
+        return interval_words(self.row(item, **where), f"{quantity}_{setting}", text)
 
     def reason(self, item):
         row, best = self.row(item), self.row(item)["best"]

@@ -79,11 +79,27 @@ def design(item, only, variance, draws):
             "COMBINATIONS": combinations(chosen) + f"replicas = {VARIANCE['replicas']}\n"}
 
 
+def sheet_of(gurney, item):
+    """Facts of `gurney equipment show`."""
+    return json.loads(subprocess.run([gurney, "equipment", "show", item, "--json"], check=True,
+                                     capture_output=True, text=True).stdout)
+
+
+def chosen_items(names):
+    """Rows of items.csv: all, or those named, with commas between them."""
+    items = rows("items.csv")
+    if not names:
+        return items
+    named = names.split(",")
+    unknown = set(named) - {item["item"] for item in items}
+    if unknown:
+        sys.exit(f"{os.path.basename(sys.argv[0])}: not in items.csv: {', '.join(sorted(unknown))}")
+    return [item for item in items if item["item"] in named]
+
+
 def job_text(gurney, item, jobs, suite, only=(), variance=False, draws=1):
     """The template with the size of the item's bay."""
-    sheet = json.loads(subprocess.run([gurney, "equipment", "show", item["item"], "--json"],
-                                      check=True, capture_output=True, text=True).stdout)
-    words = bay_words(sheet["size_m"]) | {
+    words = bay_words(sheet_of(gurney, item["item"])["size_m"]) | {
         "ITEM": item["item"],
         "SUITE": os.path.relpath(suite, jobs),
         "ROOT": os.path.relpath(ROOT, jobs),
@@ -129,13 +145,7 @@ def main():
     parser.add_argument("--draws", type=int, default=1, help="of item, casters and floor for each motion (default: 1)")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    items = rows("items.csv")
-    if options.items:
-        names = options.items.split(",")
-        unknown = set(names) - {item["item"] for item in items}
-        if unknown:
-            sys.exit(f"catalogue.py: not in items.csv: {', '.join(sorted(unknown))}")
-        items = [item for item in items if item["item"] in names]
+    items = chosen_items(options.items)
     jobs = os.path.join(options.output, "jobs")
     os.makedirs(jobs, exist_ok=True)
     suite = options.suite or os.path.join(options.output, os.path.splitext(os.path.basename(options.motions))[0])

@@ -14,9 +14,11 @@ import statistics
 import sys
 import tomllib
 
+from catalogue import BRAKES
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 CONSEQUENCES = os.path.join(HERE, "..", "..", "equipment", "consequences.toml")
-SETTINGS = ("off", "on", "locked")
+SETTINGS = tuple(BRAKES)
 SPEEDS = (0.4, 0.8, 1.2)  # [m/s] peak floor velocity
 SAMPLES = 400
 SETTLED = 0.9  # share of the samples in which an action has the least loss
@@ -99,15 +101,17 @@ def ends(values):
     return at(0.025), at(0.975)
 
 
-def depends_on(curves, states, speed, best):
-    """States whose assumed value, at an end of its range alone, makes another action the best."""
+def depends_on(curves, states, speed):
+    """States whose assumed value, at an end of its range alone, makes another action the best; by the middle curves."""
     chances = {s: {state: probability(curves[s][state], speed, 0) for state in states} for s in curves}
-    for state, bounds in states.items():
-        for end in {bounds[0], bounds[2]} - {bounds[1]}:
-            values = {name: each[1] for name, each in states.items()} | {state: end}
-            if least({s: expected(values, chances[s]) for s in curves}) != best:
-                yield state
-                break
+    stated = {name: bounds[1] for name, bounds in states.items()}
+
+    def best(values):
+        return least({s: expected(values, chances[s]) for s in curves})
+
+    for state, (low, _, high) in states.items():
+        if any(best(stated | {state: end}) != best(stated) for end in (low, high)):
+            yield state
 
 
 def states_of(curves, of_item):
@@ -166,7 +170,7 @@ def row_of(curves, of_item, speed, seed):
             row |= dict(zip((name, name + "_low", name + "_high"), cells(of, s)))
     row["best"], row["share"] = best_of(samples["days"])
     row["best_by_cost"], row["share_by_cost"] = best_of(samples["cost_ratio"])
-    row["depends_on"] = "; ".join(depends_on(curves, states_of(curves, of_item)["days"], speed, row["best"]))
+    row["depends_on"] = "; ".join(depends_on(curves, states_of(curves, of_item)["days"], speed))
     return row
 
 

@@ -14,14 +14,14 @@ import subprocess
 import sys
 import textwrap
 
-from advice import ACTIONS, FLOOR, MOTION_COUNT, PLACE, SPEED, SPEEDS, Advice, days, percent, read
-from catalogue import VARIANCE
+from advice import ACTIONS, FLOOR, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, days, interval_words, percent, read
+from catalogue import VARIANCE, sheet_of
+from losses import SETTINGS, SPEEDS
 from tables import FURTHER, much_better
 
 WHERE = (FLOOR, PLACE)  # of the overview
 MOVED = ["moved 0.1 m", "moved 0.3 m", "moved 1 m"]
 HIT = ["hit at 0.4 m/s", "hit at 0.8 m/s"]
-SETTINGS = ["off", "on", "locked"]
 SHOWN = 0.05  # of p, adjusted for the number of constants
 
 
@@ -88,15 +88,12 @@ def tether_table(rows, names):
     lines = ["| item | held by | days | lost [%] | hit at 0.8 m/s | overturned | tension [kN] | broken |",
              "| --- " * 8 + "|"]
     for row in rows:
-        if row["item"] not in names:
-            continue
         ends = (row["tension_median_n"], row["tension_p95_n"])
         tension = " to ".join(f"{float(end) / 1000:.1f}" for end in ends if end)
-        lines.append(f"| [{names[row['item']]}]({row['item']}.md) | {row['held']} | {days(float(row['days']))} "
-                     f"({days(float(row['days_low']))} to {days(float(row['days_high']))}) "
-                     f"| {percent(float(row['lost']))} ({percent(float(row['lost_low']))} to "
-                     f"{percent(float(row['lost_high']))}) | {row['hit at 0.8 m/s']}/{row['runs']} "
-                     f"| {row['overturned']}/{row['runs']} | {tension} | {row['broken']} |")
+        cells = [f"[{names[row['item']]}]({row['item']}.md)", row["held"], interval_words(row, "days", days),
+                 interval_words(row, "lost", percent), f"{row['hit at 0.8 m/s']}/{row['runs']}",
+                 f"{row['overturned']}/{row['runs']}", tension, row["broken"]]
+        lines.append("| " + " | ".join(cells) + " |")
     return lines
 
 
@@ -125,7 +122,8 @@ def overview_page(advice, names, floors):
             *overview(advice, names), "",
             "## By floor and level", "",
             *wrapped("Floor and peak floor velocity [m/s]: the brakes with the least loss (off, on, locked: on with locked "
-                     "swivels); `?`: not settled; `+`: its service is lost in more than 10 % all the same."), "",
+                     "swivels); `?`: not settled; `+`: its service is lost in more "
+                     f"than {percent(MOST_LOST)} % all the same."), "",
             "Open floor:", "", *action_map(advice, floors, names, "open"), "",
             "Bay, with walls behind and beside it:", "", *action_map(advice, floors, names, "bay"), ""]
 
@@ -248,11 +246,6 @@ def figures(gurney, item, results, images):
         *[word for name in chosen for word in ("--configuration", name)],
         *[word for limit in ("moved 0.3 m", "moved 1 m", "overturned") for word in ("--limit", limit)],
         "--figure", os.path.join(images, item + "_fragility.svg"))
-
-
-def sheet_of(gurney, item):
-    return json.loads(subprocess.run([gurney, "equipment", "show", item, "--json"], check=True,
-                                     capture_output=True, text=True).stdout)
 
 
 def texts(gurney, tables):

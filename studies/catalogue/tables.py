@@ -16,9 +16,9 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 import libraries
+from catalogue import BRAKES
 
 FURTHER_FLOOR = "flexible building"
-BRAKES = ("off", "on", "locked")
 MUCH_BETTER = 0.3  # the scatter about the peak floor velocity is larger by this than about the best measure
 FURTHER = {  # limit states from the demands that every run has; what they bound: docs/catalogue/methods.md
     "0.5 m from its outlet": "peak_displacement > 0.5 m",
@@ -52,18 +52,27 @@ def bounds(interval):
     return number(low or 0), "inf" if high is None else number(high)
 
 
+def fitted(gurney, file, *options):
+    return json.loads(output_of(gurney, "fragility", file, *options, "--json"))["fragilities"]
+
+
+def curve_row(item, measure, each):
+    """Row of a fitted curve, or of why there is none."""
+    curve = each["curve"] or {}
+    theta, beta = bounds(each.get("theta_interval")), bounds(each.get("beta_interval"))
+    floor, place, brakes = setting_of(each["configuration"])
+    return {"item": item, "floor": floor, "place": place, "brakes": brakes,
+            "limit_state": each["limit_state"], "measure": measure, "unit": each["units"],
+            "runs": each["runs"], "exceed": each["exceeded"], "failed": each["failed"],
+            "theta": number(curve.get("theta")), "beta": number(curve.get("beta")),
+            "theta_low": theta[0], "theta_high": theta[1],
+            "beta_low": beta[0], "beta_high": beta[1],
+            "reason": "" if curve else each["reason"], "cautions": "; ".join(each["cautions"])}
+
+
 def curve_rows(gurney, item, file, measure, *options):
-    for each in json.loads(output_of(gurney, "fragility", file, *options, "--json"))["fragilities"]:
-        curve = each["curve"] or {}
-        theta, beta = bounds(each.get("theta_interval")), bounds(each.get("beta_interval"))
-        floor, place, brakes = setting_of(each["configuration"])
-        yield {"item": item, "configuration": each["configuration"], "floor": floor, "place": place, "brakes": brakes,
-               "limit_state": each["limit_state"], "measure": measure, "unit": each["units"],
-               "runs": each["runs"], "exceed": each["exceeded"], "failed": each["failed"],
-               "theta": number(curve.get("theta")), "beta": number(curve.get("beta")),
-               "theta_low": theta[0], "theta_high": theta[1],
-               "beta_low": beta[0], "beta_high": beta[1],
-               "reason": "" if curve else each["reason"], "cautions": "; ".join(each["cautions"])}
+    for each in fitted(gurney, file, *options):
+        yield curve_row(item, measure, each)
 
 
 def fragility_rows(gurney, item, file):
@@ -121,7 +130,7 @@ def measure_rows(gurney, item, file):
 
 def write_csv(path, columns, rows):
     with open(path, "w", newline="") as file:
-        writer = csv.DictWriter(file, columns, lineterminator="\n", extrasaction="ignore")
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
 

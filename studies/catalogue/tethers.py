@@ -13,12 +13,11 @@ import math
 import os
 import statistics
 import subprocess
-import sys
 import tempfile
 
 import catalogue
 import losses
-from tables import curve_rows, number, write_csv
+from tables import curve_row, fitted, number, write_csv
 
 SPEED = 0.8  # [m/s] peak floor velocity of the losses, PGV of the tensions
 HEIGHT = 0.7  # of the strap over that of the item, an assumption between 0.5 and 1
@@ -51,15 +50,14 @@ def held(size):
 
 
 def job_text(gurney, item, jobs, suite):
-    sheet = json.loads(subprocess.run([gurney, "equipment", "show", item, "--json"], check=True, capture_output=True,
-                                      text=True).stdout)
+    size = catalogue.sheet_of(gurney, item)["size_m"]
     with open(os.path.join(catalogue.HERE, "item_study.toml.in")) as file:
         whole = file.read()
-    words = catalogue.bay_words(sheet["size_m"]) | {
+    words = catalogue.bay_words(size) | {
         "ITEM": item, "SUITE": os.path.relpath(suite, jobs), "ROOT": os.path.relpath(catalogue.ROOT, jobs),
         "LEVELS": json.dumps(catalogue.LEVELS_OF_CURVES),
         "LIMIT_STATES": whole[whole.index("[[study.limit_state]]"):],
-        "HELD": "".join(f'[study.factor.level."{name}"]\n{text}' for name, text in held(sheet["size_m"]).items())}
+        "HELD": "".join(f'[study.factor.level."{name}"]\n{text}' for name, text in held(size).items())}
     return catalogue.filled("tether_study.toml.in", words)
 
 
@@ -87,8 +85,8 @@ def tensions(gurney, results):
 
 def rows(gurney, item, results):
     curves = {}
-    for row in curve_rows(gurney, item, results, "pfv", "--measure", "pfv"):
-        curves.setdefault(row["configuration"], {})[row["limit_state"]] = row
+    for each in fitted(gurney, results, "--measure", "pfv"):
+        curves.setdefault(each["configuration"], {})[each["limit_state"]] = curve_row(item, "pfv", each)
     of = losses.consequences()
     samples = losses.samples_of(curves, lambda quantity: of(item, quantity), SPEED, f"tethers {item}")
     best, share = losses.best_of(samples["days"])
@@ -114,15 +112,11 @@ def main():
     parser.add_argument("--items", help="of items.csv (default: all)")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    items = [row["item"] for row in catalogue.rows("items.csv")]
-    chosen = options.items.split(",") if options.items else items
-    if unknown := set(chosen) - set(items):
-        sys.exit(f"tethers.py: not in items.csv: {', '.join(sorted(unknown))}")
     jobs, suite = os.path.join(options.output, "jobs"), os.path.join(options.output, "motions")
     os.makedirs(jobs, exist_ok=True)
     catalogue.make_motions(options.gurney, suite, catalogue.MOTIONS)
     found = []
-    for item in chosen:
+    for item in (row["item"] for row in catalogue.chosen_items(options.items)):
         print(item, flush=True)
         job, results = os.path.join(jobs, item + ".toml"), os.path.join(options.output, item + ".h5")
         with open(job, "w") as file:
