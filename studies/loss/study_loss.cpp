@@ -22,7 +22,7 @@ namespace {
 using statistics::Interval;
 
 constexpr int kResamples = 999;
-constexpr double kTail = 0.9;
+constexpr double kTail = 0.9, kDecade = 10;
 
 /// Under which name an item may have its price: its own, or that of its equipment.
 std::map<std::string, std::string> equipment_of_items(const StudyReader& file) {
@@ -189,6 +189,12 @@ class Expectation {
     }
   }
 
+  bool is_fitted() const {
+    return std::ranges::all_of(tables_, [](const statistics::StripeTable& each) {
+      return EventCurve(each.stripes()).is_fitted();
+    });
+  }
+
   LossEstimate of(const std::function<double(const EventCurve&)>& chance) const {
     const auto sum = [&](const std::vector<int>& times) {
       double total = 0;
@@ -211,7 +217,16 @@ struct Expectations {
       : cost(runs, all_steps(runs, items, &ItemLoss::cost)),
         days(runs, all_steps(runs, items, &ItemLoss::days)),
         out_of_use(runs, {{1, 0, &RunLoss::out_of_use}}),
-        serious(runs, {{1, 0, &RunLoss::serious}}) {}
+        serious(runs, {{1, 0, &RunLoss::serious}}) {
+    std::vector<double> drawn;
+    for (const RunLoss& run : runs.all()) drawn.push_back(run.sum(&ItemLoss::drawn));
+    for (const double value : exceedance_costs(drawn)) {
+      const auto exceeded = [value](const RunLoss& run) {
+        return run.sum(&ItemLoss::drawn) > value;
+      };
+      exceeding.emplace_back(value, Expectation(runs, {{1, value, exceeded}}));
+    }
+  }
 
   static std::vector<Step> all_steps(const Runs& runs, std::size_t items, double ItemLoss::*of) {
     std::vector<Step> all;
@@ -221,10 +236,25 @@ struct Expectations {
   }
 
   ExpectedLoss of(double im, const std::function<double(const EventCurve&)>& chance) const {
-    return {im, cost.of(chance), days.of(chance), out_of_use.of(chance), serious.of(chance)};
+    ExpectedLoss found{
+        im, cost.of(chance), days.of(chance), out_of_use.of(chance), serious.of(chance), {}};
+    for (const auto& [value, event] : exceeding) {
+      LossExceedance at{value, event.of(chance), event.is_fitted()};
+      if (!found.exceedance.empty()) cut(at.chance, found.exceedance.back().chance);
+      found.exceedance.push_back(at);
+    }
+    return found;
+  }
+
+  static void cut(LossEstimate& chance, const LossEstimate& of_less) {
+    chance.value = std::min(chance.value, of_less.value);
+    if (!chance.interval || !of_less.interval) return;
+    chance.interval->low = std::min(chance.interval->low, of_less.interval->low);
+    chance.interval->high = std::min(chance.interval->high, of_less.interval->high);
   }
 
   Expectation cost, days, out_of_use, serious;
+  std::vector<std::pair<double, Expectation>> exceeding;
 };
 
 /// States of an item whose expected cost is the threshold or more: "a or b".
@@ -412,6 +442,30 @@ ItemLoss item_loss(const Consequences& consequences, const PricedItem& item,
     loss.service = std::max(loss.service, of->service);
   }
   return loss;
+}
+
+std::vector<double> exceedance_costs(const std::vector<double>& costs) {
+  double least = 0, most = 0;
+  for (const double each : costs) {
+    most = std::max(most, each);
+    if (each > 0) least = least > 0 ? std::min(least, each) : each;
+  }
+  if (!(least > 0)) return {};
+  const std::vector<int> digits = most > kDecade * least
+                                      ? std::vector<int>{1, 2, 5}
+                                      : std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  std::vector<double> found;
+  const int first = static_cast<int>(std::floor(std::log10(least))) - 1;
+  for (int power = first; std::pow(kDecade, power) < most; ++power)
+    for (const int digit : digits) {
+      const double scale = std::pow(kDecade, std::abs(power));
+      const double value = power < 0 ? digit / scale : digit * scale;
+      if (value < least)
+        found = {value};
+      else if (value < most)
+        found.push_back(value);
+    }
+  return found;
 }
 
 std::vector<StudyLoss> study_losses(const StudyData& data, const Consequences& consequences,

@@ -99,10 +99,25 @@ struct FittedStep : LossStep {
   std::optional<double> rate;  ///< a year, with a hazard
 };
 
+/// How likely, or how often a year, the cost of all items together is above a value. The costs are
+/// those drawn for the runs, each event has its own EventCurve, and a higher value is cut to the
+/// chance of a lower one where their curves cross.
+struct LossExceedance {
+  double cost = 0;      ///< >= 0
+  LossEstimate chance;  ///< probability, or rate a year
+  bool fitted = false;  ///< by a lognormal curve, else from the shares of the runs
+};
+
+/// Round costs at which an exceedance curve is stated: one below the smallest of the positive `costs`
+/// and those from there up to below the largest: 1, 2 and 5 times the powers of ten, within a decade
+/// each digit. None without a positive cost.
+std::vector<double> exceedance_costs(const std::vector<double>& costs);
+
 /// From curves: at an intensity, or a year.
 struct ExpectedLoss {
   double im = 0;                                 ///< SI; of a year: 0
   LossEstimate cost, days, out_of_use, serious;  ///< the last two: probability, or rate a year
+  std::vector<LossExceedance> exceedance;        ///< by increasing cost
 };
 
 /// Losses in one configuration.

@@ -69,6 +69,23 @@ Table steps_of(const study::StudyLoss& loss, const study::ReportUnit& unit) {
 }
 
 /// @param per  "" or " a year"
+Table exceedance_of(const study::ExpectedLoss& of, const std::string& per) {
+  const bool annual = !per.empty();
+  const Format chance{".3g"};
+  Table table{
+      "exceedance",
+      annual ? "How often the loss is above a value" : "How likely the loss is above a value",
+      {{"cost", "loss above", kLossMoney},
+       {annual ? "rate_per_year" : "probability", annual ? "times a year" : "P", chance},
+       {annual ? "rate_per_year_interval" : "probability_interval", "95 %",
+        interval_format(chance)},
+       {"fitted", "curve", {}, "no: the shares of the runs count"}}};
+  for (const study::LossExceedance& at : of.exceedance)
+    table.add({at.cost, at.chance.value, interval_of(at.chance), at.fitted});
+  return table;
+}
+
+/// @param per  "" or " a year"
 void add_expected(const study::ExpectedLoss& of, const std::string& per, Section& section) {
   const auto add = [&](const char* key, const std::string& label,
                        const study::LossEstimate& estimate, const Format& format) {
@@ -84,6 +101,7 @@ void add_expected(const study::ExpectedLoss& of, const std::string& per, Section
       {".3g"});
   add("serious_injury", per.empty() ? "P(serious injury possible)" : "times injury possible" + per,
       of.serious, {".3g"});
+  if (!of.exceedance.empty()) section.add(exceedance_of(of, per));
 }
 
 Section loss_of(const study::StudyData& data, const study::StudyLoss& loss) {

@@ -119,6 +119,44 @@ TEST_F(StudyLossTest, AtAnIntensityItIsTheSumOfTheStepsProbabilities) {
   EXPECT_NEAR(found.at.front().cost.value, expected, 1e-9);
 }
 
+/// A fall costs 600, a move 100, and both have fixed prices: above any value below 100 the loss is as
+/// often as the first step, above any from there to below 600 as the second. Their rates are the
+/// closed form of the test above.
+TEST_F(StudyLossTest, ExceedsAValueAsOftenAsTheLimitStatesThatCostMore) {
+  std::string fixed = kFile;
+  const std::string guess = "{ value = 0.1, assumption = \"a guess\", range = [0, 0.2] }";
+  fixed.replace(fixed.find(guess), guess.size(), "0.1");
+  const StudyLoss found = loss({.at = {3}}, fixed);
+  ASSERT_EQ(found.steps.size(), 2);
+  ASSERT_TRUE(found.annual);
+  std::vector<double> costs;
+  for (const LossExceedance& each : found.annual->exceedance) {
+    const FittedStep& step = found.steps[each.cost < 100 ? 0 : 1];
+    EXPECT_NEAR(each.chance.value, *step.rate, 1e-12 * *step.rate) << each.cost;
+    const double theta = step.curve.curve()->theta / kStandardGravity;
+    const double beta = step.curve.curve()->beta;
+    const double closed = 1e-3 * std::pow(theta, -2) * std::exp(2 * beta * beta);
+    EXPECT_NEAR(each.chance.value, closed, 1e-9 * closed) << each.cost;
+    ASSERT_TRUE(each.chance.interval);
+    EXPECT_LE(each.chance.interval->low, closed);
+    EXPECT_GE(each.chance.interval->high, closed);
+    EXPECT_TRUE(each.fitted);
+    costs.push_back(each.cost);
+  }
+  EXPECT_THAT(costs, ElementsAre(90, 100, 200, 300, 400, 500));
+  const auto& at = found.at.front().exceedance;
+  ASSERT_EQ(at.size(), costs.size());
+  EXPECT_NEAR(at.front().chance.value, found.steps[0].curve.probability(3), 1e-12);
+  EXPECT_NEAR(at.back().chance.value, found.steps[1].curve.probability(3), 1e-12);
+}
+
+TEST(ExceedanceCosts, AreRoundFromBelowTheLeastToBelowTheMost) {
+  EXPECT_THAT(exceedance_costs({0, 0}), testing::IsEmpty());
+  EXPECT_THAT(exceedance_costs({0, 5}), ElementsAre(4));
+  EXPECT_THAT(exceedance_costs({100, 0, 2500}), ElementsAre(50, 100, 200, 500, 1000, 2000));
+  EXPECT_THAT(exceedance_costs({0.3, 0.6}), ElementsAre(0.2, 0.3, 0.4, 0.5));
+}
+
 TEST_F(StudyLossTest, IsTheSameForAnyNumberOfThreads) {
   const StudyLoss one = loss({.at = {3}, .threads = 1}), three = loss({.at = {3}, .threads = 3});
   EXPECT_EQ(one.annual->cost.interval->low, three.annual->cost.interval->low);
