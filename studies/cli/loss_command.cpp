@@ -7,6 +7,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/output.h"
 #include "studies/cli/shared_options.h"
+#include "studies/figures/loss_figure.h"
 #include "studies/loss/consequences.h"
 #include "studies/loss/study_loss.h"
 #include "studies/report/loss_report.h"
@@ -19,11 +20,13 @@ struct LossOptions {
   std::vector<double> at;
   study::AssessmentRequest assessed_by;
   study::UnitSystem units;
+  FigureFile figure;
   int threads = 0;
   bool json = false;
 };
 
 int loss(const LossOptions& options) {
+  options.figure.check();
   const study::StudyData data(options.file, options.assessed_by, {}, options.units);
   const auto consequences = study::Consequences::read(
       options.consequences.empty() ? study::usual_consequences() : options.consequences);
@@ -31,9 +34,9 @@ int loss(const LossOptions& options) {
                              .threads = threads_or_all(options.threads)};
   const study::ReportUnit unit = report_unit(data, data.measure(options.measure));
   for (const double im : options.at) request.at.push_back(im * unit.in_si);
-  print_findings(
-      report::loss_findings(data, consequences, study_losses(data, consequences, request)),
-      options.json);
+  const auto losses = study_losses(data, consequences, request);
+  options.figure.write([&] { return figures::loss_figure(consequences, losses, unit); }, true);
+  print_findings(report::loss_findings(data, consequences, losses), options.json);
   return 0;
 }
 
@@ -43,7 +46,7 @@ void add_loss(Commands& commands) {
   commands.add<LossOptions>(
       {"loss", "Expected loss, time out of use and injuries of a study",
        "gurney loss ventilator.h5\n"
-       "gurney loss ventilator.h5 --at 0.4 --hazard site.toml\n"
+       "gurney loss ventilator.h5 --at 0.4 --hazard site.toml --figure loss.svg\n"
        "gurney loss ventilator.h5 --consequences prices.toml --json"},
       loss, [](Options& add, LossOptions& options) {
         add.required("FILE", options.file, "The results file of the study");
@@ -56,6 +59,8 @@ void add_loss(Commands& commands) {
             ->check(CLI::PositiveNumber);
         add_hazard_option(add, options.assessed_by);
         add_units_option(add, options.units);
+        add_figure_option(add, options.figure,
+                          "Draw loss by level and how often it is above a value");
         add.threads(options.threads, "Threads (default: all cores)");
         add("--json", options.json, "Print JSON");
       });

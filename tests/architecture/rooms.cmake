@@ -88,7 +88,7 @@ set(GURNEY_ROOMS
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
     studies/statistics studies/verification studies/units studies/results studies/analysis
-    studies/hospital studies/convergence studies/calibration/trials studies/calibration/fit
+    studies/loss studies/hospital studies/convergence studies/calibration/trials studies/calibration/fit
     studies/explanation studies/report studies/playback"
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info

@@ -115,6 +115,17 @@ grep -q '"interval"' runs.json || complain "no interval"
 expect 0 "records  8" "$gurney" hospital two_storeys.toml --run storeys.h5
 grep -q "^upper bay" stdout || complain "no room of the upper storey"
 
+# How likely the loss is above a value, as text, in JSON and drawn, which replaces no file.
+expect 0 "loss above" "$gurney" loss whole.h5 --consequences consequences.toml --at 0.4 --figure loss.svg
+grep -q "Loss above" loss.svg || complain "no exceedance curve in the figure"
+expect 1 "loss.svg" "$gurney" loss whole.h5 --consequences consequences.toml --figure loss.svg
+expect 0 "" "$gurney" loss whole.h5 --consequences consequences.toml --at 0.4 --json
+cp stdout above.json
+above=$(number above.json losses.0.at.0.exceedance.0.probability)
+cost=$(number above.json losses.0.steps.0.cost)  # the only one that the study has
+near "$(number above.json losses.0.at.0.cost)" "$(python3 -c "print($cost * $above)")" 1e-9 ||
+  complain "the loss of $cost is not as likely as any"
+
 # From curves; figures.
 expect 0 "if independent" "$gurney" hospital "$2/studies/hospitals/ward.toml" --samples 500 --figure ward.svg
 grep -q "<svg" ward.svg || complain "no figure"
