@@ -1,7 +1,9 @@
 #include "studies/results/results_file.h"
 
+#include <functional>
 #include <numeric>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "engine/response/response.h"
@@ -13,6 +15,14 @@
 
 namespace gurney::study {
 namespace {
+
+/// What `of` says of each row.
+template <class Rows, class Of>
+auto each_of(const Rows& rows, Of of) {
+  std::vector<std::decay_t<std::invoke_result_t<Of, decltype(*rows.begin())>>> values;
+  for (const auto& row : rows) values.push_back(std::invoke(of, row));
+  return values;
+}
 
 /// A group of 1-D columns; the first ones identify the run of a row, and what in it.
 class Table {
@@ -56,25 +66,18 @@ class Table {
 constexpr const char* kItem = "name of the item";
 
 void add_items(Hdf5Writer& file, const Scene& scene, const std::vector<ItemResponse>& items) {
-  std::vector<Demands> demands;
-  std::vector<EnergyAccount> energy;
-  std::vector<std::string> models;
-  for (const ItemResponse& item : items) {
-    demands.push_back(item.demands);
-    energy.push_back(item.energy);
-  }
-  for (const PlacedItem& item : scene.items) models.push_back(item.model.name);
   Table table(file, "items", items.size());
   table.add("item", kItem, item_names(scene));
-  table.add("model", "name of its kind of equipment", models);
-  table.add(demand_columns(), demands);
+  table.add("model", "name of its kind of equipment",
+            each_of(scene.items, [](const PlacedItem& item) { return item.model.name; }));
+  table.add(demand_columns(), each_of(items, &ItemResponse::demands));
 
   Table account(file, "energy", items.size());
   account.add("item", kItem, item_names(scene));
   account.add({"stored_energy_at_start", "J", "energy stored at the start",
                [](const ItemResponse& item) { return item.stored_energy_at_start; }},
               items);
-  account.add(energy_columns(), energy);
+  account.add(energy_columns(), each_of(items, &ItemResponse::energy));
 }
 
 /// Empty where no twin was run.
@@ -141,19 +144,13 @@ void add_parts(Hdf5Writer& file, const std::string& name, const std::string& par
 
 void add_events(Hdf5Writer& file, const Scene& scene, const std::vector<Impact>& impacts) {
   const std::vector<std::string> names = item_names(scene);
-  std::vector<std::string> items, bodies, others, other_bodies;
-  for (const Impact& impact : impacts) {
-    items.push_back(names.at(impact.item));
-    bodies.push_back(impact.body);
-    others.push_back(impact.other);
-    other_bodies.push_back(impact.other_body);
-  }
   Table table(file, "events", impacts.size());
-  table.add("item", kItem, items);
-  table.add("body", "its part: chassis, or the name of a caster", bodies);
+  table.add("item", kItem, each_of(impacts, [&](const Impact& i) { return names.at(i.item); }));
+  table.add("body", "its part: chassis, or the name of a caster", each_of(impacts, &Impact::body));
   table.add("other", "what it hit: floor, or the name of a shape of the room or of an item",
-            others);
-  table.add("other_body", "part of the other item; empty: it hit no item", other_bodies);
+            each_of(impacts, &Impact::other));
+  table.add("other_body", "part of the other item; empty: it hit no item",
+            each_of(impacts, &Impact::other_body));
   table.add(impact_columns(), impacts);
 }
 
@@ -246,18 +243,11 @@ void add_root(Hdf5Writer& file, const RunFacts& facts) {
     text("draw_seed", std::to_string(facts.draw->seed()));
     text("draw", std::to_string(facts.draw->run()));
   }
-  std::vector<std::string> names, hashes;
-  if (facts.record)
-    for (const FileFacts& record_file : facts.record->files) {
-      names.push_back(record_file.name);
-      hashes.push_back(record_file.sha256);
-    }
-  file.set_attribute("/", "record_files", names);
-  file.set_attribute("/", "record_sha256", hashes);
-  file.set_attribute("/", "record_components",
-                     facts.record ? facts.record->components : std::vector<std::string>{});
-  file.set_attribute("/", "record_processing",
-                     facts.record ? facts.record->processing : std::vector<std::string>{});
+  const RecordFacts record = facts.record.value_or(RecordFacts{});
+  file.set_attribute("/", "record_files", each_of(record.files, &FileFacts::name));
+  file.set_attribute("/", "record_sha256", each_of(record.files, &FileFacts::sha256));
+  file.set_attribute("/", "record_components", record.components);
+  file.set_attribute("/", "record_processing", record.processing);
   file.set_attribute("/", "warnings", facts.warnings);
 }
 
@@ -302,41 +292,31 @@ void add_verification(Hdf5Writer& file, const Response& response) {
 }
 
 void add_assumptions(Hdf5Writer& file, const std::vector<AssumptionFacts>& assumptions) {
-  file.add_group("/assumptions");
-  const auto texts = [&](std::string AssumptionFacts::*member) {
-    std::vector<std::string> values;
-    for (const AssumptionFacts& assumption : assumptions) values.push_back(assumption.*member);
-    return values;
+  const std::string group = "/assumptions/";
+  const auto add = [&](const char* name, const char* meaning, std::string AssumptionFacts::*of) {
+    file.add({group + name, "1", meaning, {group + "key"}}, each_of(assumptions, of));
   };
-  const Scales scale{"/assumptions/key"};
-  file.add_scale({"/assumptions/key", "1", "the number that has no source", {}},
-                 texts(&AssumptionFacts::key));
-  file.add({"/assumptions/value", "1", "its value in this run", scale},
-           texts(&AssumptionFacts::value));
-  file.add({"/assumptions/range", "1", "how far it may be off", scale},
-           texts(&AssumptionFacts::range));
-  file.add({"/assumptions/reason", "1", "why this value", scale}, texts(&AssumptionFacts::reason));
-  file.add({"/assumptions/file", "1", "data file that states it", scale},
-           texts(&AssumptionFacts::file));
+  file.add_group("/assumptions");
+  file.add_scale({group + "key", "1", "the number that has no source", {}},
+                 each_of(assumptions, &AssumptionFacts::key));
+  add("value", "its value in this run", &AssumptionFacts::value);
+  add("range", "how far it may be off", &AssumptionFacts::range);
+  add("reason", "why this value", &AssumptionFacts::reason);
+  add("file", "data file that states it", &AssumptionFacts::file);
 }
 
 void add_drawn(Hdf5Writer& file, const std::vector<DrawnFacts>& drawn) {
-  file.add_group("/drawn");
-  const auto texts = [&](std::string DrawnFacts::*member) {
-    std::vector<std::string> values;
-    for (const DrawnFacts& each : drawn) values.push_back(each.*member);
-    return values;
+  const std::string group = "/drawn/";
+  const auto add = [&](const char* name, const char* meaning, auto DrawnFacts::*of) {
+    file.add({group + name, "1", meaning, {group + "variable"}}, each_of(drawn, of));
   };
-  std::vector<double> values;
-  for (const DrawnFacts& each : drawn) values.push_back(each.value);
-  const Scales scale{"/drawn/variable"};
-  file.add_scale({"/drawn/variable", "1", "the parameter that was drawn", {}},
-                 texts(&DrawnFacts::variable));
-  file.add({"/drawn/value", "1", "its value in this run, in the unit given", scale}, values);
-  file.add({"/drawn/unit", "1", "unit of its value", scale}, texts(&DrawnFacts::unit));
-  file.add({"/drawn/distribution", "1", "what it was drawn from, in the unit given", scale},
-           texts(&DrawnFacts::distribution));
-  file.add({"/drawn/file", "1", "data file that states it", scale}, texts(&DrawnFacts::file));
+  file.add_group("/drawn");
+  file.add_scale({group + "variable", "1", "the parameter that was drawn", {}},
+                 each_of(drawn, &DrawnFacts::variable));
+  add("value", "its value in this run, in the unit given", &DrawnFacts::value);
+  add("unit", "unit of its value", &DrawnFacts::unit);
+  add("distribution", "what it was drawn from, in the unit given", &DrawnFacts::distribution);
+  add("file", "data file that states it", &DrawnFacts::file);
 }
 
 }  // namespace
