@@ -82,9 +82,7 @@ double crossing_of(const TrialSignals& s, const Span& window, double level) {
   }
   if (i == window.begin + half || i + half >= window.end) return s.time[window.begin];
   const auto index = [&](double time) {
-    return std::clamp(
-        static_cast<std::size_t>(std::ranges::lower_bound(s.time, time) - s.time.begin()),
-        window.begin, window.end);
+    return std::clamp(index_at(s.time, time), window.begin, window.end);
   };
   const PolynomialFit line =
       fit_polynomial(s.time, s.force, {index(s.time[i] - kBefore), index(s.time[i] + kBefore)}, 1);
@@ -197,9 +195,7 @@ std::optional<SlipOnset> find_onset(const TrialSignals& s, const Span& window, d
           .best(std::max(from, best.time - kBefore), std::min(to, best.time + kBefore),
                 with(resisting + resisting_error), free)
           .time;
-  const auto index = [&](double time) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(s.time, time) - s.time.begin());
-  };
+  const auto index = [&](double time) { return index_at(s.time, time); };
   const Span before{index(best.time - kBefore), index(best.time)};
   const PolynomialFit line = fit_polynomial(s.time, s.force, before, 1);
   SlipOnset result;
@@ -297,12 +293,6 @@ constexpr double kShortest = 0.2;              // [s]
 constexpr double kNewton = 3, kSureScale = 4;  // a factor; standard errors
 constexpr double kLeastFriction = 0.02, kMaxFriction = 3, kMaxRolling = 0.5;
 
-double mean(const std::vector<double>& series, std::size_t from, std::size_t to) {
-  double sum = 0;
-  for (std::size_t i = from; i < to; ++i) sum += series[i];
-  return sum / static_cast<double>(to - from);
-}
-
 /// First index of the last part of a record above a mark.
 std::size_t beyond(const std::vector<double>& x, double mark) {
   std::size_t i = x.size();
@@ -318,9 +308,7 @@ struct Moving {
 
 /// Mean acceleration is that between the middles of the first and the last 0.2 s.
 Moving moving_force(const TrialSignals& s, const Span& moving, double inertia) {
-  const auto index = [&](double time) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(s.time, time) - s.time.begin());
-  };
+  const auto index = [&](double time) { return index_at(s.time, time); };
   const Span first{moving.begin, index(s.time[moving.begin] + kShortest)};
   const Span last{index(s.time[moving.end - 1] - kShortest), moving.end};
   const PolynomialFit in = fit_polynomial(s.time, s.displacement, first, 2);
@@ -333,7 +321,7 @@ Moving moving_force(const TrialSignals& s, const Span& moving, double inertia) {
       fit_polynomial(s.time, s.force, {index(in.middle), index(out.middle)}, 0);
   return {force.c[0] - inertia * acceleration,
           std::hypot(std::sqrt(force.covariance(0, 0)), inertia * acceleration_error),
-          mean(s.force, last.begin, last.end)};
+          mean_of(s.force, last)};
 }
 
 /// Where the onset is looked for. Motions from rest need the time T and less than 0.63 T for the
@@ -342,9 +330,7 @@ Span onset_window(const TrialSignals& s, double rest, double mark) {
   const std::size_t moved = beyond(s.displacement, rest + mark);
   const std::size_t quarter = beyond(s.displacement, rest + mark / 4);
   const double whole = 3 * (s.time[moved] - s.time[quarter]) + 2 * kBefore;
-  return {static_cast<std::size_t>(std::ranges::lower_bound(s.time, s.time[moved] - whole) -
-                                   s.time.begin()),
-          moved};
+  return {index_at(s.time, s.time[moved] - whole), moved};
 }
 
 /// Where it has 15 % of the speed that it has at `moved`, by differences over eight steps.
@@ -398,20 +384,17 @@ double turning_mass(const Trial& trial) {
 
 }  // namespace
 
-std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
+Breakaway breakaway_of(const Trial& trial) {
   const TrialSignals& s = trial.signals;
-  const auto fail = [&](std::size_t at, const std::string& reason) {
-    fault = {trial.file, line_of(trial, at), reason};
-    return std::nullopt;
-  };
   const std::size_t n = s.time.size();
-  if (n < 2 * kFewest) return fail(0, fmt::format("only {} samples", n));
-  const double rest = mean(s.displacement, 0, kRest);
+  if (n < 2 * kFewest) refuse(trial, 0, fmt::format("only {} samples", n));
+  const double rest = mean_of(s.displacement, {0, kRest});
   const double path = s.displacement.back() - rest;
   if (!(path > 50 * noise_of(s.displacement)) || !(path > 0))
-    return fail(0, path < 0 ? "displacement falls while the force pulls: it must count in the "
-                              "direction of the pull"
-                            : "it never breaks away");
+    refuse(trial, 0,
+           path < 0 ? "displacement falls while the force pulls: it must count in the "
+                      "direction of the pull"
+                    : "it never breaks away");
   const TrialSetup& setup = trial.setup;
   const bool locked = trial.kind == TrialKind::kLockedPull;
   const bool axle = locked && setup.locked != LockedWheels::kAll;
@@ -421,24 +404,25 @@ std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
   while (end < n && s.displacement[end] < rest + (1 - kMoves) * path) ++end;
   const PolynomialFit begin = fit_polynomial(s.time, s.displacement, {0, kFewest}, 1);
   if (moved < kRest || std::abs(begin.c[1]) > kStands + 6 * begin.rate_error(begin.middle))
-    return fail(0, "it does not stand still before it is pulled");
+    refuse(trial, 0, "it does not stand still before it is pulled");
   const Span moving{steady, end};
   if (moving.size() < kFewest || s.time[end - 1] - s.time[steady] < 2 * kShortest)
-    return fail(steady, fmt::format("it moves for less than {} s", 2 * kShortest));
+    refuse(trial, steady, fmt::format("it moves for less than {} s", 2 * kShortest));
 
   const double normal = normal_force(setup), inertia = setup.mass + turning_mass(trial);
   const Span gathering{gathers_from(s, moved), beyond(s.displacement, rest + kGathered * path)};
   if (const std::string wrong = wrong_motion(s, gathering, inertia); !wrong.empty())
-    return fail(moved, wrong);
+    refuse(trial, moved, wrong);
   const Moving motion = moving_force(s, moving, inertia);
   if (!(motion.at_end > motion.force / 2))
-    return fail(end - 1, fmt::format("the force falls to {:.3g} N while it moves: is it kind = "
-                                     "pull?",
-                                     motion.at_end));
+    refuse(trial, end - 1,
+           fmt::format("the force falls to {:.3g} N while it moves: is it kind = "
+                       "pull?",
+                       motion.at_end));
   const double mark = (locked ? kMoves : kRolls) * path;
   const auto onset =
       find_onset(s, onset_window(s, rest, mark), inertia, motion.force, motion.error, axle);
-  if (!onset) return fail(0, "it does not stand still before it is pulled");
+  if (!onset) refuse(trial, 0, "it does not stand still before it is pulled");
   const double string = setup.string_tension;
   const Ratio peak =
       friction_of({(onset->force - string) / normal, onset->force_error / normal}, setup);
@@ -447,12 +431,12 @@ std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault) {
   const double least = locked ? kLeastFriction : 0, most = locked ? kMaxFriction : kMaxRolling;
   for (const double value : {peak.value, kinetic.value})
     if (!(value > least && value < most))
-      return fail(moved, fmt::format("{} is {:.3g} at the start and {:.3g} in motion: must be > {} "
-                                     "and < {}; are mass, force and units right, and is the kind?",
-                                     locked ? "friction" : "force over weight", peak.value,
-                                     kinetic.value, least, most));
-  return Breakaway{peak.value, locked && !axle, kinetic.value,
-                   peak.error, kinetic.error,   onset->time};
+      refuse(trial, moved,
+             fmt::format("{} is {:.3g} at the start and {:.3g} in motion: must be > {} "
+                         "and < {}; are mass, force and units right, and is the kind?",
+                         locked ? "friction" : "force over weight", peak.value, kinetic.value,
+                         least, most));
+  return {peak.value, locked && !axle, kinetic.value, peak.error, kinetic.error, onset->time};
 }
 
 }  // namespace gurney::calibration

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "studies/calibration/trials/trial.h"
 
 /// Pulls that grow until something gives: start-up resistance, and friction of locked wheels.
@@ -31,9 +29,9 @@ struct Breakaway {
 ///     s = s_0 + x h / L  (rear: -),      mu = (x - (1 - s) Cr / R) / s
 ///
 /// with s_0 at rest, L the wheelbase and Cr / R of the wheels that roll.
-/// @return nothing, and a fault in `fault`, where it does not move, no 0.4 s are left, the force
-///         falls below half of its mean while it moves, the motion is not that of Newton's law
-///         within a factor of 3, or a share is not one of friction or rolling
-std::optional<Breakaway> breakaway_of(const Trial& trial, TrialFault& fault);
+/// @throws UnusableTrial where it does not move, no 0.4 s are left, the force falls below half of its
+///         mean while it moves, the motion is not that of Newton's law within a factor of 3, or a
+///         share is not one of friction or rolling
+Breakaway breakaway_of(const Trial& trial);
 
 }  // namespace gurney::calibration

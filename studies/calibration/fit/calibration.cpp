@@ -16,73 +16,72 @@ class Collector {
   explicit Collector(Calibration& result) : result_(result) {}
 
   void add(const TrialAverages& averages) {
-    if (const auto fault = check_averages(averages, false)) return leave_out(*fault);
+    try_to([&] { add_averages(averages, false); });
+  }
+
+  void add(Trial trial) {
+    try_to([&] {
+      check_samples(trial);
+      switch (trial.kind) {
+        case TrialKind::kPull:
+          return add_pull(std::move(trial));
+        case TrialKind::kStartPull:
+        case TrialKind::kLockedPull:
+          return add_breakaway(trial);
+        case TrialKind::kImpact: {
+          const Rebound found = rebound_of(trial);
+          return add_value(ConstantKind::kRestitution, trial, found.restitution, found.error);
+        }
+        case TrialKind::kCrosswisePull:
+          return add_crosswise(trial);
+      }
+    });
+  }
+
+ private:
+  template <class Action>
+  void try_to(Action action) {
+    try {
+      action();
+    } catch (const UnusableTrial& error) {
+      result_.left_out.push_back(error.fault);
+      result_.trials.back().excluded = error.fault.reason;
+    }
+  }
+
+  void add_value(ConstantKind kind, const Trial& trial, double value, double error,
+                 bool at_least = false) {
+    result_.values.push_back({kind, trial.name, trial.setup, value, error, at_least});
+  }
+
+  void add_averages(const TrialAverages& averages, bool of_displacement) {
+    check_averages(averages, of_displacement);
     const RollingTrial trial{averages, average_method(averages)};
     result_.values.push_back(value_of(trial));
     if (averages.setup.use == TrialUse::kCalibration) result_.rolling.push_back(trial);
   }
 
-  void add(Trial trial) {
-    if (const auto fault = check_samples(trial)) return leave_out(*fault);
-    switch (trial.kind) {
-      case TrialKind::kPull:
-        return add_pull(std::move(trial));
-      case TrialKind::kStartPull:
-        return add_breakaway(trial, ConstantKind::kStartUp, ConstantKind::kRolling);
-      case TrialKind::kLockedPull:
-        return add_breakaway(trial, ConstantKind::kStaticFriction, ConstantKind::kKineticFriction);
-      case TrialKind::kImpact:
-        return add_impact(trial);
-      case TrialKind::kCrosswisePull:
-        return add_crosswise(trial);
-    }
-  }
-
- private:
-  void leave_out(const TrialFault& fault) {
-    result_.left_out.push_back(fault);
-    result_.trials.back().excluded = fault.reason;
-  }
-
   void add_pull(Trial trial) {
-    TrialFault fault;
-    const auto phases = find_phases(trial, fault);
-    if (!phases) return leave_out(fault);
-    const auto averages = averages_of(trial, *phases, fault);
-    if (!averages) return leave_out(fault);
-    if (const auto wrong = check_averages(*averages, !trial.signals.displacement.empty()))
-      return leave_out(*wrong);
-    if (const auto wrong = check_phases(trial, *phases)) return leave_out(*wrong);
-    add(*averages);
-    result_.pulls.push_back({std::move(trial), *phases, *averages});
+    const Phases phases = find_phases(trial);
+    const TrialAverages averages = averages_of(trial, phases);
+    check_averages(averages, !trial.signals.displacement.empty());
+    check_phases(trial, phases);
+    add_averages(averages, false);
+    result_.pulls.push_back({std::move(trial), phases, averages});
   }
 
-  void add_breakaway(const Trial& trial, ConstantKind peak, ConstantKind moving) {
-    TrialFault fault;
-    const auto found = breakaway_of(trial, fault);
-    if (!found) return leave_out(fault);
-    result_.values.push_back(
-        {peak, trial.name, trial.setup, found->peak, found->peak_error, found->peak_bounds});
-    if (moving == ConstantKind::kKineticFriction)
-      result_.values.push_back(
-          {moving, trial.name, trial.setup, found->moving, found->moving_error});
-  }
-
-  void add_impact(const Trial& trial) {
-    TrialFault fault;
-    const auto found = rebound_of(trial, fault);
-    if (!found) return leave_out(fault);
-    result_.values.push_back(
-        {ConstantKind::kRestitution, trial.name, trial.setup, found->restitution, found->error});
+  void add_breakaway(const Trial& trial) {
+    const Breakaway found = breakaway_of(trial);
+    const bool locked = trial.kind == TrialKind::kLockedPull;
+    add_value(locked ? ConstantKind::kStaticFriction : ConstantKind::kStartUp, trial, found.peak,
+              found.peak_error, found.peak_bounds);
+    if (locked) add_value(ConstantKind::kKineticFriction, trial, found.moving, found.moving_error);
   }
 
   void add_crosswise(const Trial& trial) {
-    TrialFault fault;
-    const auto found = fit_crosswise(trial, fault);
-    if (!found) return leave_out(fault);
-    result_.values.push_back({ConstantKind::kSwivelTorque, trial.name, trial.setup,
-                              found->torque_length, found->torque_length_error});
-    result_.crosswise.push_back(*found);
+    const CrosswiseFit found = fit_crosswise(trial);
+    add_value(ConstantKind::kSwivelTorque, trial, found.torque_length, found.torque_length_error);
+    result_.crosswise.push_back(found);
   }
 
   Calibration& result_;

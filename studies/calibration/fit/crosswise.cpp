@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/base/error.h"
 #include "studies/calibration/fit/trial_model.h"
@@ -26,10 +27,8 @@ class Residuals {
  public:
   Residuals(const Trial& trial, const Phases& phases, const TrialModel& model)
       : trial_(trial), model_(model) {
-    const std::vector<double>& t = trial.signals.time;
     begin_ = phases.held.end;
-    end_ = static_cast<std::size_t>(std::ranges::lower_bound(t, phases.stop - kBeforeStop) -
-                                    t.begin());
+    end_ = index_at(trial.signals.time, phases.stop - kBeforeStop);
     rest_ = phases.held;
   }
 
@@ -115,20 +114,14 @@ std::optional<Minimum> minimise(const Residuals& of, Vector x, double widest) {
 
 }  // namespace
 
-std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault) {
-  const auto phases = find_phases(trial, fault);
-  if (!phases) return {};
-  const auto averages = averages_of(trial, *phases, settled_of_pull(trial, *phases), fault);
-  if (!averages) return {};
-  for (const auto& wrong : {check_averages(*averages, !trial.signals.displacement.empty()),
-                            check_phases(trial, *phases)})
-    if (wrong) {
-      fault = *wrong;
-      return {};
-    }
+CrosswiseFit fit_crosswise(const Trial& trial) {
+  const Phases phases = find_phases(trial);
+  check_averages(averages_of(trial, phases, settled_of_pull(trial, phases)),
+                 !trial.signals.displacement.empty());
+  check_phases(trial, phases);
   try {
-    const TrialModel model(trial, *phases);
-    const Residuals residuals(trial, *phases, model);
+    const TrialModel model(trial, phases);
+    const Residuals residuals(trial, phases, model);
     const TrialModel::Unknowns usual = model.usual();
     const auto found = minimise(
         residuals,
@@ -157,8 +150,7 @@ std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault)
             "it does not determine the swivel friction: are the casters in line?");
     return fit;
   } catch (const Error& error) {
-    fault = {trial.file, 0, error.what()};
-    return {};
+    throw UnusableTrial({trial.file, 0, error.what()});
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "studies/calibration/trials/trial.h"
@@ -33,10 +32,10 @@ struct CrosswiseFit {
 ///
 /// Scrub and the bearing's friction are apart only by the load of the wheel; one trial has one
 /// load, so that only their sum is found.
-/// @return nothing, and a fault in `fault`, where averages_of(), check_averages() or check_phases()
-///         say so (from the half of phase II on, when the casters are in line), the item or caster
-///         is not known or does not weigh what the trial says, a phase is missing, no minimum is
-///         found, or the trial does not determine it (error above a half)
-std::optional<CrosswiseFit> fit_crosswise(const Trial& trial, TrialFault& fault);
+/// @throws UnusableTrial where averages_of(), check_averages() or check_phases() do (from the half of
+///         phase II on, when the casters are in line), the item or caster is not known or does not
+///         weigh what the trial says, a phase is missing, no minimum is found, or the trial does not
+///         determine it (error above a half)
+CrosswiseFit fit_crosswise(const Trial& trial);
 
 }  // namespace gurney::calibration

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "studies/calibration/trials/trial.h"
 
 namespace gurney::calibration {
@@ -18,11 +16,10 @@ struct Rebound {
 /// The impact is where the displacement is largest. Quadratics over 0.25 s on either side, 0.03 s
 /// away from it, give the speeds at that time. e is leaving / approach, or that of
 /// contact_restitution() where the trial names its item.
-/// @return nothing, and a fault in `fault`, where the record is too short on one side, the approach
-///         is not within 0.02 to 5 m/s, it slows down by more than 1 m/s2 (a Cr / R
-///         of 0.1), e is not within (0, 1],
-///         or the item is not known
-std::optional<Rebound> rebound_of(const Trial& trial, TrialFault& fault);
+/// @throws UnusableTrial where the record is too short on one side, the approach is not within 0.02 to
+///         5 m/s, it slows down by more than 1 m/s2 (a Cr / R of 0.1), e is not within (0, 1], or the
+///         item is not known
+Rebound rebound_of(const Trial& trial);
 
 /// e of the contact and d e / d (leaving / approach).
 struct ContactRestitution {

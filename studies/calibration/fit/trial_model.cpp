@@ -44,8 +44,7 @@ TrialModel::TrialModel(const Trial& trial, const Phases& phases)
       phases_(phases),
       settled_(phases.start + std::min(kEarly, (phases.release - phases.start) / 2)) {
   Span steady = settled_of_pull(trial, phases);
-  const std::vector<double>& t = trial.signals.time;
-  steady.begin = static_cast<std::size_t>(std::ranges::lower_bound(t, settled_) - t.begin());
+  steady.begin = index_at(trial.signals.time, settled_);
   require(steady.size() >= kFewest, "phase II is too short");
   force_ = fit_polynomial(trial.signals.time, trial.signals.force, steady, 1);
   scene_ = scene_of(item_of(trial.setup));

@@ -18,17 +18,16 @@ bool is_pull(TrialKind kind) {
   return kind == TrialKind::kPull || kind == TrialKind::kCrosswisePull;
 }
 
-/// Fault of its samples, else the method's phases and averages.
-std::optional<TrialFault> evaluate(MeasuredTrial& result) {
-  if (auto fault = check_samples(result.trial)) return fault;
-  TrialFault fault;
-  result.phases = find_phases(result.trial, fault);
-  if (!result.phases) return fault;
-  if (auto bad = check_phases(result.trial, *result.phases)) return bad;
-  result.averages = averages_of(result.trial, *result.phases, fault);
-  if (!result.averages) return fault;
-  if (result.trial.kind != TrialKind::kPull) return {};
-  return check_averages(*result.averages, !result.trial.signals.displacement.empty());
+/// The method's phases and averages.
+/// @throws UnusableTrial
+void evaluate(MeasuredTrial& result) {
+  const Trial& trial = result.trial;
+  check_samples(trial);
+  result.phases = find_phases(trial);
+  check_phases(trial, *result.phases);
+  const TrialAverages averages = averages_of(trial, *result.phases);
+  if (trial.kind == TrialKind::kPull) check_averages(averages, !trial.signals.displacement.empty());
+  result.averages = averages;
 }
 
 bool alike(const TrialSetup& a, Alignment of_a, const TrialSetup& b) {
@@ -82,9 +81,10 @@ std::vector<MeasuredTrial> measured_trials(const std::string& path) {
   for (const Trial& trial : set.trials) {
     if (!is_pull(trial.kind)) continue;
     MeasuredTrial result{trial, {}, {}, {}};
-    if (const auto fault = evaluate(result)) {
-      result.averages = {};
-      result.fault = fault->text();
+    try {
+      evaluate(result);
+    } catch (const UnusableTrial& error) {
+      result.fault = error.what();
     }
     all.push_back(std::move(result));
   }

@@ -205,10 +205,12 @@ TrialSetup setup_of(const config::Node& tree, const study::Job& job, const PullT
 }
 
 void apply_method(SimulatedTrial& result) {
-  TrialFault fault;
-  result.phases = find_phases(result.trial, fault);
-  if (result.phases) result.averages = averages_of(result.trial, *result.phases, fault);
-  if (!result.averages) result.fault = fault.reason;
+  try {
+    result.phases = find_phases(result.trial);
+    result.averages = averages_of(result.trial, *result.phases);
+  } catch (const UnusableTrial& error) {
+    result.fault = error.fault.reason;
+  }
 }
 
 void add_noise(std::uint64_t seed, SimulatedTrial& result) {

@@ -18,33 +18,29 @@ struct Mean {
   double value, error;
 };
 
-Mean mean_of(const std::vector<double>& series, const Span& span) {
+Mean mean_and_error(const std::vector<double>& series, const Span& span) {
   const auto n = static_cast<double>(span.size());
-  double sum = 0, squares = 0;
-  for (std::size_t i = span.begin; i < span.end; ++i) sum += series[i];
+  const double mean = mean_of(series, span);
+  double squares = 0;
   for (std::size_t i = span.begin; i < span.end; ++i)
-    squares += (series[i] - sum / n) * (series[i] - sum / n);
-  return {sum / n, std::sqrt(squares / (n - 1) / n)};
+    squares += (series[i] - mean) * (series[i] - mean);
+  return {mean, std::sqrt(squares / (n - 1) / n)};
 }
 
 Span between(const Trial& trial, double from, double to) {
-  const std::vector<double>& t = trial.signals.time;
-  const auto index = [&](double time) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(t, time) - t.begin());
-  };
-  return {index(from), index(to)};
+  return {index_at(trial.signals.time, from), index_at(trial.signals.time, to)};
 }
 
-bool long_enough(const Trial& trial, const Span& span, const char* phase, TrialFault& fault) {
+void require_length(const Trial& trial, const Span& span, const std::string& phase) {
   const std::vector<double>& t = trial.signals.time;
   const double length = span.size() > 0 ? t[span.end - 1] - t[span.begin] : 0;
-  if (span.size() >= kFewest && length >= kShortest) return true;
-  fault = {trial.file, line_of(trial, std::min(span.begin, t.size() - 1)),
-           fmt::format("phase {} is missing: {:.2f} s of it are left {} s after and {} s before "
-                       "its ends, at least {} s are needed",
-                       phase, length, phase[2] == 'I' ? kAroundRelease : kAfterStart,
-                       phase[2] == 'I' ? kBeforeStop : kAroundRelease, kShortest)};
-  return false;
+  if (span.size() >= kFewest && length >= kShortest) return;
+  const bool coasts = phase == "III";
+  refuse(trial, std::min(span.begin, t.size() - 1),
+         fmt::format("phase {} is missing: {:.2f} s of it are left {} s after and {} s before its "
+                     "ends, at least {} s are needed",
+                     phase, length, coasts ? kAroundRelease : kAfterStart,
+                     coasts ? kBeforeStop : kAroundRelease, kShortest));
 }
 
 void from_displacement(const Trial& trial, const Span& pull, const Span& coast,
@@ -69,8 +65,9 @@ void from_displacement(const Trial& trial, const Span& pull, const Span& coast,
 void from_acceleration(const Trial& trial, const Phases& phases, const Span& pull,
                        const Span& coast, TrialAverages& averages) {
   const TrialSignals& s = trial.signals;
-  const Mean offset = mean_of(s.acceleration, phases.held);
-  const Mean pulled = mean_of(s.acceleration, pull), coasted = mean_of(s.acceleration, coast);
+  const Mean offset = mean_and_error(s.acceleration, phases.held);
+  const Mean pulled = mean_and_error(s.acceleration, pull),
+             coasted = mean_and_error(s.acceleration, coast);
   averages.pull_acceleration = pulled.value - offset.value;
   averages.acceleration_error = std::hypot(pulled.error, offset.error);
   averages.coast_deceleration = offset.value - coasted.value;
@@ -106,9 +103,7 @@ Span settled_of_pull(const Trial& trial, const Phases& phases) {
   Span span = used_of_pull(trial, phases);
   if (trial.kind != TrialKind::kCrosswisePull) return span;
   const double half = (phases.start + phases.release) / 2;
-  const std::vector<double>& t = trial.signals.time;
-  span.begin =
-      std::max(span.begin, static_cast<std::size_t>(std::ranges::lower_bound(t, half) - t.begin()));
+  span.begin = std::max(span.begin, index_at(trial.signals.time, half));
   return span;
 }
 
@@ -116,20 +111,19 @@ Span used_of_coast(const Trial& trial, const Phases& phases) {
   return between(trial, phases.release + kAroundRelease, phases.stop - kBeforeStop);
 }
 
-std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases,
-                                         TrialFault& fault) {
-  return averages_of(trial, phases, used_of_pull(trial, phases), fault);
+TrialAverages averages_of(const Trial& trial, const Phases& phases) {
+  return averages_of(trial, phases, used_of_pull(trial, phases));
 }
 
-std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases, const Span& pull,
-                                         TrialFault& fault) {
+TrialAverages averages_of(const Trial& trial, const Phases& phases, const Span& pull) {
   const Span coast = used_of_coast(trial, phases);
-  if (!long_enough(trial, pull, "II", fault) || !long_enough(trial, coast, "III", fault)) return {};
+  require_length(trial, pull, "II");
+  require_length(trial, coast, "III");
   TrialAverages averages;
   averages.name = trial.name;
   averages.file = trial.file;
   averages.setup = trial.setup;
-  const Mean force = mean_of(trial.signals.force, pull);
+  const Mean force = mean_and_error(trial.signals.force, pull);
   averages.pull_force = force.value;
   averages.force_error = force.error;
   if (trial.signals.displacement.empty())

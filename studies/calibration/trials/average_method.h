@@ -27,13 +27,11 @@ double normal_force(const TrialSetup& setup);
 /// 0.15 s after the start, 0.1 s on either side of the release, 0.15 s before the stop.
 ///
 /// `slope` is from a cubic in phase III.
-/// @return nothing, and a fault in `fault`, where less than 0.2 s or 12 samples are left of a phase
-std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases,
-                                         TrialFault& fault);
+/// @throws UnusableTrial where less than 0.2 s or 12 samples are left of a phase
+TrialAverages averages_of(const Trial& trial, const Phases& phases);
 
 /// The same with another part of phase II.
-std::optional<TrialAverages> averages_of(const Trial& trial, const Phases& phases, const Span& pull,
-                                         TrialFault& fault);
+TrialAverages averages_of(const Trial& trial, const Phases& phases, const Span& pull);
 
 /// The parts of phases II and III that are used.
 Span used_of_pull(const Trial& trial, const Phases& phases);

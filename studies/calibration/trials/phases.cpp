@@ -41,10 +41,6 @@ double crossing(const std::vector<double>& t, const std::vector<double>& y, std:
   return step == 0 ? t[i] : t[i - 1] + (t[i] - t[i - 1]) * (value - y[i - 1]) / step;
 }
 
-std::size_t index_at(const std::vector<double>& time, double t) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(time, t) - time.begin());
-}
-
 /// Index of the first sample whose force has fallen for good; 0 without a force.
 std::size_t release_index(const std::vector<double>& force) {
   const std::vector<double> smooth = median_of_five(force);
@@ -53,12 +49,6 @@ std::size_t release_index(const std::vector<double>& force) {
   std::size_t i = smooth.size();
   while (i > 0 && !(smooth[i - 1] > half)) --i;
   return i;
-}
-
-std::optional<Phases> fail(TrialFault& fault, const Trial& trial, std::size_t at,
-                           const std::string& reason) {
-  fault = {trial.file, line_of(trial, at), reason};
-  return {};
 }
 
 /// Start of the motion, before `release`.
@@ -163,29 +153,26 @@ const char* name_of(Phases::End end) {
   return kNames[static_cast<std::size_t>(end)];
 }
 
-std::optional<Phases> find_phases(const Trial& trial, TrialFault& fault) {
+Phases find_phases(const Trial& trial) {
   const TrialSignals& s = trial.signals;
   constexpr std::size_t kFewest = 30;
   const std::size_t n = s.time.size();
-  if (n < kFewest)
-    return fail(fault, trial, 0, fmt::format("{} samples, at least {} are needed", n, kFewest));
+  if (n < kFewest) refuse(trial, 0, fmt::format("{} samples, at least {} are needed", n, kFewest));
   Phases phases;
   const std::size_t release = release_index(s.force);
-  if (release < 2)
-    return fail(fault, trial, 0, "phase II is missing: the force is never above zero");
+  if (release < 2) refuse(trial, 0, "phase II is missing: the force is never above zero");
   if (release >= n)
-    return fail(fault, trial, n - 1,
-                "phase III is missing: the force does not fall before the record ends");
+    refuse(trial, n - 1, "phase III is missing: the force does not fall before the record ends");
   phases.release = s.time[release - 1] + (s.time[release] - s.time[release - 1]) / 2;
   const bool found = s.displacement.empty() ? find_by_acceleration(trial, release, phases)
                                             : find_by_displacement(trial, release, phases);
   if (!found) {
     const bool backwards = !s.displacement.empty() && s.displacement[release] < s.displacement[0];
-    return fail(fault, trial, 0,
-                backwards ? "displacement falls while the force pulls: it must count in the "
-                            "direction of the pull"
-                          : "phase I is missing: it does not stand still before it is pulled, or "
-                            "never moves");
+    refuse(trial, 0,
+           backwards ? "displacement falls while the force pulls: it must count in the "
+                       "direction of the pull"
+                     : "phase I is missing: it does not stand still before it is pulled, or "
+                       "never moves");
   }
   const std::size_t start = std::min(index_at(s.time, phases.start), release);
   const std::size_t stop = std::max(index_at(s.time, phases.stop), release);

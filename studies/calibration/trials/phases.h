@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "studies/calibration/trials/polynomial_fit.h"
 #include "studies/calibration/trials/trial.h"
 
@@ -27,8 +25,8 @@ struct Phases {
 /// d). d is the larger of 8 standard deviations of the noise and 1/2000 of the path. With
 /// acceleration only, phases end where the mean of nine samples crosses half of its level.
 ///
-/// @return nothing, and a fault in `fault`, where a phase is missing
-std::optional<Phases> find_phases(const Trial& trial, TrialFault& fault);
+/// @throws UnusableTrial where a phase is missing
+Phases find_phases(const Trial& trial);
 
 /// Standard deviation of white noise on a smooth series, from the median of its third differences.
 double noise_of(const std::vector<double>& series);

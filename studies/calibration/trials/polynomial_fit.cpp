@@ -1,11 +1,22 @@
 #include "studies/calibration/trials/polynomial_fit.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/linear_algebra.h"
 
 namespace gurney::calibration {
+
+std::size_t index_at(const std::vector<double>& time, double t) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(time, t) - time.begin());
+}
+
+double mean_of(const std::vector<double>& series, const Span& span) {
+  double sum = 0;
+  for (std::size_t i = span.begin; i < span.end; ++i) sum += series[i];
+  return sum / static_cast<double>(span.size());
+}
 
 double PolynomialFit::value(double time) const {
   double sum = 0;

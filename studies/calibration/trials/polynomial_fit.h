@@ -11,6 +11,12 @@ struct Span {
   std::size_t size() const { return end > begin ? end - begin : 0; }
 };
 
+/// The first sample at or after a time.
+std::size_t index_at(const std::vector<double>& time, double t);
+
+/// NaN of an empty span.
+double mean_of(const std::vector<double>& series, const Span& span);
+
 /// y = sum c_k (t - middle)^k by least squares.
 ///
 /// A motion sampled n times over T seconds with noise of standard deviation s has the acceleration

@@ -20,8 +20,8 @@ std::string TrialFault::text() const {
                   : fmt::format("{}: {}", file, reason);
 }
 
-int line_of(const Trial& trial, std::size_t index) {
-  return index < trial.lines.size() ? trial.lines[index] : 0;
+void refuse(const Trial& trial, std::size_t index, const std::string& reason) {
+  throw UnusableTrial({trial.file, index < trial.lines.size() ? trial.lines[index] : 0, reason});
 }
 
 Trial with_noise(Trial trial, std::uint64_t seed, std::uint64_t stream) {

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/error.h"
+
 /// Laboratory test of a wheeled item (docs/formats/trial_file.md). SI units.
-
-/// Synthetic noise of the instruments of a pulling test, for simulated signals.
-
 namespace gurney::calibration {
 
 enum class TrialKind {
@@ -97,8 +96,15 @@ struct TrialFault {
   std::string text() const;  ///< `file:line: reason`
 };
 
-/// The line of sample `index`; 0 where there is no file.
-int line_of(const Trial& trial, std::size_t index);
+/// Thrown for a trial that cannot be used.
+struct UnusableTrial : Error {
+  explicit UnusableTrial(const TrialFault& of) : Error(of.text()), fault(of) {}
+  TrialFault fault;
+};
+
+/// @param index  of the sample at fault, whose line the fault names where there is a file
+/// @throws UnusableTrial
+[[noreturn]] void refuse(const Trial& trial, std::size_t index, const std::string& reason);
 
 /// Standard deviations. The motion capture of Xu, Ma & Kurata (2022, section 3.1) is accurate to
 /// +-0.10 mm, which is taken as one; the noise of their load cell is not stated.

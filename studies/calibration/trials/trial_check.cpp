@@ -17,11 +17,7 @@ constexpr double kBalance = 0.15;
 constexpr double kClocks = 0.05;  // [s]
 constexpr double kFarOff = 1.2;   // a factor, from that of a unit
 
-TrialFault fault_at(const Trial& trial, std::size_t index, std::string reason) {
-  return {trial.file, line_of(trial, index), std::move(reason)};
-}
-
-std::optional<TrialFault> check_filled(const Trial& trial) {
+void check_filled(const Trial& trial) {
   const TrialSignals& s = trial.signals;
   const std::array<std::pair<const char*, const std::vector<double>*>, 6> all = {
       {{"time", &s.time},
@@ -33,60 +29,54 @@ std::optional<TrialFault> check_filled(const Trial& trial) {
   for (std::size_t i = 0; i < s.time.size(); ++i)
     for (const auto& [name, series] : all)
       if (!series->empty() && !std::isfinite((*series)[i]))
-        return fault_at(trial, i, fmt::format("gap: {} is empty", name));
-  return {};
+        refuse(trial, i, fmt::format("gap: {} is empty", name));
 }
 
-std::optional<TrialFault> check_clock(const Trial& trial) {
+void check_clock(const Trial& trial) {
   const std::vector<double>& t = trial.signals.time;
-  if (t.size() < 3) return {};
+  if (t.size() < 3) return;
   std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) {
     steps.push_back(t[i] - t[i - 1]);
     if (!(steps.back() > 0))
-      return fault_at(trial, i, fmt::format("clock: time goes from {} to {} s", t[i - 1], t[i]));
+      refuse(trial, i, fmt::format("clock: time goes from {} to {} s", t[i - 1], t[i]));
   }
   std::vector<double> sorted = steps;
   std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
   const double step = sorted[sorted.size() / 2];
   if (step > kLongestStep || step < kShortestStep)
-    return fault_at(trial, 0,
-                    fmt::format("units: a step of time is {:.4g} s: is the time in ms in a column "
-                                "of s, or the reverse?",
-                                step));
+    refuse(trial, 0,
+           fmt::format("units: a step of time is {:.4g} s: is the time in ms in a column "
+                       "of s, or the reverse?",
+                       step));
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i] > kGap * step)
-      return fault_at(
-          trial, i + 1,
-          fmt::format("gap: {:.4g} s without a sample, the step is {:.4g} s", steps[i], step));
+      refuse(trial, i + 1,
+             fmt::format("gap: {:.4g} s without a sample, the step is {:.4g} s", steps[i], step));
     if (std::abs(steps[i] - step) > kIrregular * step)
-      return fault_at(
-          trial, i + 1,
-          fmt::format("clock: a step of {:.4g} s among steps of {:.4g} s", steps[i], step));
+      refuse(trial, i + 1,
+             fmt::format("clock: a step of {:.4g} s among steps of {:.4g} s", steps[i], step));
   }
   const double mean = (t.back() - t.front()) / static_cast<double>(steps.size());
   const std::size_t tenth = steps.size() / 10;
   for (std::size_t i = 0; tenth >= 10 && i + tenth < t.size(); i += tenth) {
     const double local = (t[i + tenth] - t[i]) / static_cast<double>(tenth);
     if (std::abs(local / mean - 1) > kDrift)
-      return fault_at(trial, i,
-                      fmt::format("clock drift: the step is {:.5g} s here and {:.5g} s "
-                                  "on average",
-                                  local, mean));
+      refuse(trial, i,
+             fmt::format("clock drift: the step is {:.5g} s here and {:.5g} s "
+                         "on average",
+                         local, mean));
   }
-  return {};
 }
 
-std::optional<TrialFault> check_force(const Trial& trial) {
+void check_force(const Trial& trial) {
   const std::vector<double>& force = trial.signals.force;
-  if (force.empty()) return {};
+  if (force.empty()) return;
   const std::vector<double> smooth = median_of_five(force);
   const double allowed = 6 * noise_of(force) + 0.01 * std::ranges::max(smooth);
   for (std::size_t i = 0; i < smooth.size(); ++i)
     if (smooth[i] < -std::max(allowed, 0.0))
-      return fault_at(trial, i,
-                      fmt::format("negative force: {:.4g} N; a cable only pulls", smooth[i]));
-  return {};
+      refuse(trial, i, fmt::format("negative force: {:.4g} N; a cable only pulls", smooth[i]));
 }
 
 /// Mass that would explain the motion; empty where none does.
@@ -128,36 +118,35 @@ std::string cause_of_ratio(double ratio, double within, bool of_displacement) {
   return "mass, force or clock are wrong, or the phases were not free of other forces";
 }
 
-std::optional<TrialFault> check_samples(const Trial& trial) {
-  if (auto fault = check_filled(trial)) return fault;
-  if (auto fault = check_clock(trial)) return fault;
-  return check_force(trial);
+void check_samples(const Trial& trial) {
+  check_filled(trial);
+  check_clock(trial);
+  check_force(trial);
 }
 
-std::optional<TrialFault> check_averages(const TrialAverages& a, bool of_displacement) {
-  const auto fault = [&](std::string reason) {
-    return TrialFault{a.file, a.line, std::move(reason)};
+void check_averages(const TrialAverages& a, bool of_displacement) {
+  const auto fail = [&](std::string reason) {
+    throw UnusableTrial({a.file, a.line, std::move(reason)});
   };
   const double inertia = a.setup.mass + a.setup.added_mass;
   const double ratio = inertia * (a.pull_acceleration + a.coast_deceleration) / a.pull_force;
   const std::string balance =
       fmt::format("(M + J)(a_2 + a_3) is {:.4g} of the force, must be 1: ", ratio);
-  if (!(ratio > 0)) return fault(balance + "it does not slow down in phase III");
+  if (!(ratio > 0)) fail(balance + "it does not slow down in phase III");
   if (!(std::abs(std::log(ratio)) < kBalance))
-    return fault(balance + mass_in_question(a.setup, ratio) +
-                 cause_of_ratio(ratio, kFarOff, of_displacement));
+    fail(balance + mass_in_question(a.setup, ratio) +
+         cause_of_ratio(ratio, kFarOff, of_displacement));
   const Resistance r = average_method(a);
   if (!(r.pulled > 0) || !(r.coasting > 0))
-    return fault(
+    fail(
         fmt::format("rolling resistance is {:.3g} N pulled and {:.3g} N coasting: must be "
                     "> 0; are mass, force and string tension right?",
                     r.pulled, r.coasting));
-  return {};
 }
 
-std::optional<TrialFault> check_phases(const Trial& trial, const Phases& phases) {
+void check_phases(const Trial& trial, const Phases& phases) {
   const TrialSignals& s = trial.signals;
-  if (s.displacement.empty()) return {};
+  if (s.displacement.empty()) return;
   const PolynomialFit pull =
       fit_polynomial(s.time, s.displacement, settled_of_pull(trial, phases), 2);
   const PolynomialFit coast =
@@ -168,21 +157,18 @@ std::optional<TrialFault> check_phases(const Trial& trial, const Phases& phases)
   const double error =
       std::hypot(pull.rate_error(phases.release), coast.rate_error(phases.release)) / bend;
   if (std::abs(meet - phases.release) > kClocks + 4 * error)
-    return fault_at(trial, phases.coasting.begin,
-                    fmt::format("clock: the force falls at {:.3f} s, but the motion says {:.3f} s; "
-                                "force and motion must have one clock",
-                                phases.release, meet));
-  if (!trial.setup.drop_mass || phases.held.size() == 0) return {};
-  double held = 0;
-  for (std::size_t i = phases.held.begin; i < phases.held.end; ++i) held += s.force[i];
-  held /= static_cast<double>(phases.held.size());
+    refuse(trial, phases.coasting.begin,
+           fmt::format("clock: the force falls at {:.3f} s, but the motion says {:.3f} s; "
+                       "force and motion must have one clock",
+                       phases.release, meet));
+  if (!trial.setup.drop_mass || phases.held.size() == 0) return;
+  const double held = mean_of(s.force, phases.held);
   const double weight = *trial.setup.drop_mass * kStandardGravity;
   if (!(std::abs(std::log(held / weight)) < kBalance))
-    return fault_at(trial, 0,
-                    fmt::format("the force in phase I is {:.4g} N, but the drop weight weighs "
-                                "{:.4g} N",
-                                held, weight));
-  return {};
+    refuse(trial, 0,
+           fmt::format("the force in phase I is {:.4g} N, but the drop weight weighs "
+                       "{:.4g} N",
+                       held, weight));
 }
 
 }  // namespace gurney::calibration

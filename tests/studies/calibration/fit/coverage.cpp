@@ -31,16 +31,12 @@ std::vector<double> scattered(double median, double scatter, int size, int varia
   return values;
 }
 
-std::vector<TrialValue> read_all(
-    const std::vector<Trial>& trials, int noises,
-    const std::function<std::optional<TrialValue>(const Trial&, TrialFault&)>& value) {
+std::vector<TrialValue> read_all(const std::vector<Trial>& trials, int noises,
+                                 const std::function<TrialValue(const Trial&)>& value) {
   std::vector<TrialValue> values;
   for (std::size_t i = 0; i < trials.size(); ++i)
     for (int k = 0; k < noises; ++k) {
-      TrialFault fault;
-      const auto read = value(with_noise(trials[i], i + 1, static_cast<std::uint64_t>(k)), fault);
-      EXPECT_TRUE(read) << i << " " << k << " " << fault.text();
-      if (read) values.push_back(*read);
+      values.push_back(value(with_noise(trials[i], i + 1, static_cast<std::uint64_t>(k))));
     }
   return values;
 }

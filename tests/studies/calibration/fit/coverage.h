@@ -21,10 +21,8 @@ statistics::Interval acceptance(double probability, int repeats = kRepeats);
 std::vector<double> scattered(double median, double scatter, int size, int variable);
 
 /// What `value` reads from each trial under `noises` draws of the instruments' noise.
-/// Failures of reading are failures of the test.
-std::vector<TrialValue> read_all(
-    const std::vector<Trial>& trials, int noises,
-    const std::function<std::optional<TrialValue>(const Trial&, TrialFault&)>& value);
+std::vector<TrialValue> read_all(const std::vector<Trial>& trials, int noises,
+                                 const std::function<TrialValue(const Trial&)>& value);
 
 struct Coverage {
   int interval = 0;    ///< of kRepeats whose interval holds the truth

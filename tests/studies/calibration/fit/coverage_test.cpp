@@ -35,16 +35,15 @@ void expect_coverage(const char* what, const Coverage& c, bool wide = false) {
 }
 
 auto breakaway(ConstantKind kind) {
-  return [kind](const Trial& trial, TrialFault& fault) -> std::optional<TrialValue> {
-    const auto found = breakaway_of(trial, fault);
-    if (!found) return {};
+  return [kind](const Trial& trial) {
+    const auto found = breakaway_of(trial);
     const bool moving = kind == ConstantKind::kKineticFriction;
     return TrialValue{kind,
                       trial.name,
                       trial.setup,
-                      moving ? found->moving : found->peak,
-                      moving ? found->moving_error : found->peak_error,
-                      found->peak_bounds};
+                      moving ? found.moving : found.peak,
+                      moving ? found.moving_error : found.peak_error,
+                      found.peak_bounds};
   };
 }
 
@@ -82,11 +81,10 @@ void count_restitution(int draws) {
   std::vector<Trial> trials;
   for (const double e : scattered(0.4, kScatter, kPool, 0))
     trials.push_back(virtual_impact(trials.size() % 2 == 0 ? 0.5 : 0.7, e));
-  const auto rebound = [](const Trial& trial, TrialFault& fault) -> std::optional<TrialValue> {
-    const auto found = rebound_of(trial, fault);
-    if (!found) return {};
-    return TrialValue{ConstantKind::kRestitution, trial.name, trial.setup, found->restitution,
-                      found->error};
+  const auto rebound = [](const Trial& trial) {
+    const auto found = rebound_of(trial);
+    return TrialValue{ConstantKind::kRestitution, trial.name, trial.setup, found.restitution,
+                      found.error};
   };
   expect_coverage("e", coverage(read_all(trials, draws, rebound), 0.4, kTrials));
 }
@@ -108,11 +106,10 @@ void count_crosswise(int draws) {
     trials.back().kind = TrialKind::kCrosswisePull;
   }
   const double bearing = kBearing / (trials[0].setup.mass * kStandardGravity / 4);
-  const auto torque = [](const Trial& trial, TrialFault& fault) -> std::optional<TrialValue> {
-    const auto fit = fit_crosswise(trial, fault);
-    if (!fit) return {};
-    return TrialValue{ConstantKind::kSwivelTorque, trial.name, trial.setup, fit->torque_length,
-                      fit->torque_length_error};
+  const auto torque = [](const Trial& trial) {
+    const auto fit = fit_crosswise(trial);
+    return TrialValue{ConstantKind::kSwivelTorque, trial.name, trial.setup, fit.torque_length,
+                      fit.torque_length_error};
   };
   std::vector<TrialValue> values = read_all(trials, draws, torque);
   expect_coverage("mu w / 4 + T / N", coverage(values, kFriction * kWidth / 4 + bearing, kFewer));

@@ -4,6 +4,7 @@
 
 #include "engine/base/units.h"
 #include "tests/studies/calibration/fit/virtual_pulls.h"
+#include "tests/support/error_text.h"
 
 namespace gurney::calibration {
 namespace {
@@ -29,29 +30,26 @@ TEST(Crosswise, FindsWhatTheTrialWasMadeWith) {
   const std::pair<double, double> cases[] = {{0.012, 0.009}, {0.004, 0.03}};
   for (const auto& [width, tolerance] : cases) {
     SCOPED_TRACE(width);
-    TrialFault fault;
-    const auto fit = fit_crosswise(crosswise(width, 90), fault);
-    ASSERT_TRUE(fit) << fault.text();
-    const double truth = 0.6 * width / 4 + 0.03 / fit->load;  // mu, w and T of R100
-    EXPECT_NEAR(fit->torque_length, truth, tolerance * truth);
-    EXPECT_NEAR(fit->friction_times_width / 4, 0.6 * width / 4, tolerance * truth);
-    EXPECT_NEAR(fit->resistance, 0.018, 4e-4 * 0.018);
-    EXPECT_LT(fit->misfit, 2 * kDisplacementNoise);
-    EXPECT_EQ(fit->trial, "virtual");
+    const CrosswiseFit fit = fit_crosswise(crosswise(width, 90));
+    const double truth = 0.6 * width / 4 + 0.03 / fit.load;  // mu, w and T of R100
+    EXPECT_NEAR(fit.torque_length, truth, tolerance * truth);
+    EXPECT_NEAR(fit.friction_times_width / 4, 0.6 * width / 4, tolerance * truth);
+    EXPECT_NEAR(fit.resistance, 0.018, 4e-4 * 0.018);
+    EXPECT_LT(fit.misfit, 2 * kDisplacementNoise);
+    EXPECT_EQ(fit.trial, "virtual");
   }
 }
 
 TEST(Crosswise, NamesTrialsThatItCannotMakeAgain) {
-  TrialFault fault;
   Trial trial = crosswise(0.008, 90);
   trial.setup.mass += 14;
-  EXPECT_FALSE(fit_crosswise(trial, fault));
-  EXPECT_THAT(fault.text(), HasSubstr("virtual.csv: xu_trolley weighs 98.5 kg with its payload, "
-                                      "but the trial 112.5 kg"));
+  EXPECT_THAT(error_text([&] { fit_crosswise(trial); }),
+              HasSubstr("virtual.csv: xu_trolley weighs 98.5 kg with its payload, "
+                        "but the trial 112.5 kg"));
   trial.setup.mass -= 14;
   trial.setup.caster = "R10";
-  EXPECT_FALSE(fit_crosswise(trial, fault));
-  EXPECT_THAT(fault.text(), HasSubstr("'R10': unknown caster; did you mean 'R100'?"));
+  EXPECT_THAT(error_text([&] { fit_crosswise(trial); }),
+              HasSubstr("'R10': unknown caster; did you mean 'R100'?"));
 }
 
 }  // namespace

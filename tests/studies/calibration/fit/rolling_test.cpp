@@ -18,16 +18,12 @@ constexpr double kScatter = 0.01;  // of ln Cr between trials
 constexpr int kPool = 50;          // trials of each load
 constexpr int kPulls = 12;         // in one calibration
 
-std::optional<TrialAverages> averages(const Trial& trial) {
-  TrialFault fault;
-  EXPECT_FALSE(check_samples(trial));
-  const auto phases = find_phases(trial, fault);
-  if (!phases) return {};
-  const auto found = averages_of(trial, *phases, fault);
-  if (found) {
-    EXPECT_FALSE(check_averages(*found, true));
-  }
-  EXPECT_FALSE(check_phases(trial, *phases));
+TrialAverages averages(const Trial& trial) {
+  check_samples(trial);
+  const Phases phases = find_phases(trial);
+  const TrialAverages found = averages_of(trial, phases);
+  check_averages(found, true);
+  check_phases(trial, phases);
   return found;
 }
 
@@ -53,9 +49,7 @@ std::vector<TrialAverages> laboratory(int repeat) {
     const auto seed = static_cast<std::uint64_t>(repeat), stream = static_cast<std::uint64_t>(i);
     const auto drawn = static_cast<std::size_t>(kPool * uniform_draw(seed, 100 + stream, 0));
     const Trial trial = with_noise(pool(i < kPulls / 2 ? 0 : 4)[drawn], seed, stream);
-    const auto found = averages(trial);
-    EXPECT_TRUE(found);
-    if (found) measured.push_back(*found);
+    measured.push_back(averages(trial));
   }
   return measured;
 }
@@ -67,10 +61,9 @@ TEST(RollingCalibration, HasNoBiasWithoutNoise) {
     VirtualPull pull;
     pull.resistance = resistance;
     pull.drop_mass = 3 + 200 * resistance;
-    const auto found = averages(virtual_pull(pull));
-    ASSERT_TRUE(found);
-    const Resistance r = average_method(*found);
-    const double truth = resistance * normal_force(found->setup);
+    const TrialAverages found = averages(virtual_pull(pull));
+    const Resistance r = average_method(found);
+    const double truth = resistance * normal_force(found.setup);
     EXPECT_NEAR(r.coasting / truth, 1, 5e-4);
     EXPECT_NEAR(r.pulled / truth, 1, 2e-3);
   }

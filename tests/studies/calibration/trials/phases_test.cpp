@@ -4,6 +4,7 @@
 
 #include "studies/calibration/trials/average_method.h"
 #include "tests/studies/calibration/trials/synthetic_trial.h"
+#include "tests/support/error_text.h"
 
 namespace gurney::calibration {
 namespace {
@@ -32,58 +33,52 @@ TEST(Phases, AreThoseOfTheMotion) {
     SyntheticPull made;
     made.displacement_noise = noise;
     const Trial trial = make_pull(made);
-    TrialFault fault;
-    const auto phases = find_phases(trial, fault);
-    ASSERT_TRUE(phases) << fault.reason;
-    EXPECT_NEAR(phases->noise, noise, 0.1 * noise + 1e-7);
+    const Phases phases = find_phases(trial);
+    EXPECT_NEAR(phases.noise, noise, 0.1 * noise + 1e-7);
     // Noise s moves the passing of the mark d = 8 s, at the speed sqrt(2 a d), by sqrt(s / (16 a)),
     // that of 4 d by half as much. start = 2 t(d) - t(4 d): 2.06 times that. Without noise the mark
     // is at 1/2000 of the path, and a parabola between samples is a line: half a sample.
     const auto tolerance = [&](double a) {
       return 4 * 2.06 * std::sqrt(noise / (16 * a)) + 0.0042;
     };
-    EXPECT_NEAR(phases->start, made.start, tolerance(made.a2()));
-    EXPECT_NEAR(phases->release, made.start + made.pull, 0.0085);
-    EXPECT_NEAR(phases->stop, made.stop(), tolerance(made.a3()));
-    EXPECT_EQ(phases->end, Phases::End::kRested);
-    EXPECT_EQ(phases->held.begin, 0u);
-    EXPECT_EQ(phases->stopped.end, trial.signals.time.size());
+    EXPECT_NEAR(phases.start, made.start, tolerance(made.a2()));
+    EXPECT_NEAR(phases.release, made.start + made.pull, 0.0085);
+    EXPECT_NEAR(phases.stop, made.stop(), tolerance(made.a3()));
+    EXPECT_EQ(phases.end, Phases::End::kRested);
+    EXPECT_EQ(phases.held.begin, 0u);
+    EXPECT_EQ(phases.stopped.end, trial.signals.time.size());
   }
 }
 
 TEST(Phases, TellHowTheyEnd) {
   SyntheticPull made;
   made.end = 4;  // it coasts still
-  TrialFault fault;
-  EXPECT_EQ(find_phases(make_pull(made), fault)->end, Phases::End::kRecordEnds);
+  EXPECT_EQ(find_phases(make_pull(made)).end, Phases::End::kRecordEnds);
   made.end = 6;
   Trial trial = make_pull(made);
   for (std::size_t i = 420; i < trial.signals.time.size(); ++i)  // from 3.5 s on
     trial.signals.displacement[i] = trial.signals.displacement[419];
-  const auto phases = find_phases(trial, fault);
-  EXPECT_EQ(phases->end, Phases::End::kEndOfFloor);
-  EXPECT_NEAR(phases->stop, 3.5, 0.02);
+  const Phases phases = find_phases(trial);
+  EXPECT_EQ(phases.end, Phases::End::kEndOfFloor);
+  EXPECT_NEAR(phases.stop, 3.5, 0.02);
 }
 
 TEST(Phases, NameTheOneThatIsMissing) {
-  TrialFault fault;
   SyntheticPull made;
   made.end = 2;
-  EXPECT_FALSE(find_phases(make_pull(made), fault));
-  EXPECT_THAT(fault.text(), HasSubstr("made.csv:242: phase III is missing"));
+  EXPECT_THAT(error_text([&] { find_phases(make_pull(made)); }),
+              HasSubstr("made.csv:242: phase III is missing"));
   made.end = 8;
   made.start = 0;
-  EXPECT_FALSE(find_phases(make_pull(made), fault));
-  EXPECT_THAT(fault.reason, HasSubstr("phase I is missing"));
+  EXPECT_THAT(error_text([&] { find_phases(make_pull(made)); }), HasSubstr("phase I is missing"));
   made.start = 0.5;
   Trial trial = make_pull(made);
   for (double& x : trial.signals.displacement) x = -x;
-  EXPECT_FALSE(find_phases(trial, fault));
-  EXPECT_THAT(fault.reason, HasSubstr("displacement falls while the force pulls"));
+  EXPECT_THAT(error_text([&] { find_phases(trial); }),
+              HasSubstr("displacement falls while the force pulls"));
   trial = make_pull(made);
   for (double& f : trial.signals.force) f = 0;
-  EXPECT_FALSE(find_phases(trial, fault));
-  EXPECT_THAT(fault.reason, HasSubstr("phase II is missing"));
+  EXPECT_THAT(error_text([&] { find_phases(trial); }), HasSubstr("phase II is missing"));
 }
 
 TEST(AverageMethod, GivesTheResistanceBack) {
@@ -91,17 +86,14 @@ TEST(AverageMethod, GivesTheResistanceBack) {
     SyntheticPull made;
     made.resistance = resistance;
     const Trial trial = make_pull(made);
-    TrialFault fault;
-    const auto phases = find_phases(trial, fault);
-    ASSERT_TRUE(phases) << fault.reason;
-    const auto averages = averages_of(trial, *phases, fault);
-    ASSERT_TRUE(averages) << fault.reason;
-    EXPECT_NEAR(averages->pull_acceleration, made.a2(), 4 * averages->acceleration_error);
-    EXPECT_NEAR(averages->coast_deceleration, made.a3(), 4 * averages->deceleration_error);
-    EXPECT_NEAR(averages->pull_force, made.force, 4 * averages->force_error);
-    EXPECT_NEAR(*averages->slope, 0, 4 * averages->slope_error);
-    EXPECT_GT(averages->force_error, 0.5 * made.force_noise / std::sqrt(220.0));
-    const Resistance r = average_method(*averages);
+    const Phases phases = find_phases(trial);
+    const TrialAverages averages = averages_of(trial, phases);
+    EXPECT_NEAR(averages.pull_acceleration, made.a2(), 4 * averages.acceleration_error);
+    EXPECT_NEAR(averages.coast_deceleration, made.a3(), 4 * averages.deceleration_error);
+    EXPECT_NEAR(averages.pull_force, made.force, 4 * averages.force_error);
+    EXPECT_NEAR(*averages.slope, 0, 4 * averages.slope_error);
+    EXPECT_GT(averages.force_error, 0.5 * made.force_noise / std::sqrt(220.0));
+    const Resistance r = average_method(averages);
     EXPECT_NEAR(r.pulled, made.resisting(), 4 * r.pulled_error);
     EXPECT_NEAR(r.coasting, made.resisting(), 4 * r.coasting_error);
     EXPECT_NEAR(r.mean, made.resisting(), 4 * r.mean_error);
@@ -121,12 +113,10 @@ TEST(AverageMethod, UsesAccelerationsWhereThereIsNoDisplacement) {
                                                        : -made.a3();
     trial.signals.acceleration.push_back(a + 0.05 + 0.02 * normal_draw(3, 2, i));  // an offset
   }
-  TrialFault fault;
-  const auto phases = find_phases(trial, fault);
-  ASSERT_TRUE(phases) << fault.reason;
-  EXPECT_NEAR(phases->start, made.start, 0.04);
-  EXPECT_NEAR(phases->stop, made.stop(), 0.05);
-  const Resistance r = average_method(*averages_of(trial, *phases, fault));
+  const Phases phases = find_phases(trial);
+  EXPECT_NEAR(phases.start, made.start, 0.04);
+  EXPECT_NEAR(phases.stop, made.stop(), 0.05);
+  const Resistance r = average_method(averages_of(trial, phases));
   EXPECT_NEAR(r.pulled, made.resisting(), 4 * r.pulled_error);
   EXPECT_NEAR(r.coasting, made.resisting(), 4 * r.coasting_error);
 }

@@ -11,16 +11,15 @@ using testing::HasSubstr;
 
 /// The reason for which a trial is left out; empty: it is good.
 std::string judged(const Trial& trial) {
-  if (const auto fault = check_samples(trial)) return fault->text();
-  TrialFault fault;
-  const auto phases = find_phases(trial, fault);
-  if (!phases) return fault.text();
-  const auto averages = averages_of(trial, *phases, fault);
-  if (!averages) return fault.text();
-  if (const auto wrong = check_averages(*averages, !trial.signals.displacement.empty()))
-    return wrong->text();
-  const auto wrong = check_phases(trial, *phases);
-  return wrong ? wrong->text() : "";
+  try {
+    check_samples(trial);
+    const Phases phases = find_phases(trial);
+    check_averages(averages_of(trial, phases), !trial.signals.displacement.empty());
+    check_phases(trial, phases);
+    return "";
+  } catch (const UnusableTrial& error) {
+    return error.what();
+  }
 }
 
 TEST(TrialCheck, LetsGoodTrialsPass) {
