@@ -77,13 +77,13 @@ struct ItemResponse {
 
 struct Response {
   Outcome outcome = Outcome::kDiverged;  ///< of the run: kOverturned when any item did
-  std::string cause;                     ///< of a failed run; otherwise empty
-  double end_time = 0;                   ///< [s]
-  Quality quality;                       ///< of the whole scene
-  std::vector<ItemResponse> items;       ///< as Scene::items
-  std::vector<Impact> impacts;           ///< by time
-  std::vector<ZoneOutcome> zones;        ///< as Scene::zones
-  std::vector<TetherOutcome> tethers;    ///< as Scene::tethers
+  std::string cause;    ///< why it failed, or ends where its item overturned; otherwise empty
+  double end_time = 0;  ///< [s]
+  Quality quality;      ///< of the whole scene
+  std::vector<ItemResponse> items;     ///< as Scene::items
+  std::vector<Impact> impacts;         ///< by time
+  std::vector<ZoneOutcome> zones;      ///< as Scene::zones
+  std::vector<TetherOutcome> tethers;  ///< as Scene::tethers
 };
 
 }  // namespace gurney

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 
 #include "engine/base/error.h"
@@ -50,6 +52,21 @@ FileOverview header_of(const Hdf5Reader& file, const std::string& path) {
     if (known.emplace(keys[i], values[i], files[i]).second)
       header.assumptions.push_back({keys[i], values[i], ranges[i], reasons[i], files[i]});
   return header;
+}
+
+std::vector<WarningKind> by_kind(const std::vector<double>& runs,
+                                 const std::vector<std::string>& warnings) {
+  std::vector<WarningKind> kinds;
+  const auto beginning = [](const std::string& text) {
+    return std::string_view(text).substr(0, text.find_first_of("0123456789"));
+  };
+  for (std::size_t i = 0; i < warnings.size(); ++i) {
+    auto kind = std::ranges::find(kinds, beginning(warnings[i]),
+                                  [&](const WarningKind& known) { return beginning(known.first); });
+    if (kind == kinds.end()) kind = kinds.insert(kind, {{}, warnings[i]});
+    kind->runs.insert(static_cast<std::size_t>(runs.at(i)));
+  }
+  return kinds;
 }
 
 /// Files of programs before 2026-11-22 do not state what was drawn.
@@ -109,7 +126,7 @@ void add_counts(const StudyData& data, StudyOverview& overview) {
   if (data.file().has("warnings")) {
     const std::vector<double> warned = data.file().numbers("warnings/run");
     overview.warned = std::set<double>(warned.begin(), warned.end()).size();
-    if (!warned.empty()) overview.first_warning = data.file().strings("warnings/warning").front();
+    overview.warnings = by_kind(warned, data.file().strings("warnings/warning"));
   }
   for (std::size_t i = 0; i < data.configurations().size(); ++i)
     for (std::size_t state = 0; state < states; ++state) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,12 @@ struct FailedRun {
   std::string cause, command;  ///< command: what makes it again
 };
 
+/// Warnings of runs that begin alike up to their first number.
+struct WarningKind {
+  std::set<std::size_t> runs;
+  std::string first;  ///< of them
+};
+
 struct StudyOverview {
   FileOverview file;
   struct Varied {
@@ -64,8 +71,8 @@ struct StudyOverview {
   std::size_t untrusted = 0;  ///< of the failed ones
   std::size_t energy_closure_run = 0;
   ScaleFactors factors_on_records;  ///< on the records, of all runs
-  std::size_t warned = 0;           ///< runs whose building warned
-  std::string first_warning;        ///< of them; empty: none
+  std::size_t warned = 0;           ///< runs with a warning
+  std::vector<WarningKind> warnings;
   std::vector<LevelCounts> counts;  ///< levels of a configuration follow each other
   std::vector<FailedRun> failures;
   std::optional<StepCheck> step_check;

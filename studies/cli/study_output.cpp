@@ -73,7 +73,7 @@ void print_shares(const study::StudyOverview& overview) {
     answers.broken = true;
     fmt::print("{}\n", render::text(findings::Section{}.add(std::move(answers))));
   }
-  if (const std::string caution = report::building_caution(overview); !caution.empty())
+  for (const std::string& caution : report::warning_cautions(overview))
     fmt::print("{}\n", render::text(findings::Section{}.say("caution: " + caution)));
   const std::string file = shell_word(overview.file.path);
   const std::string page =

@@ -394,6 +394,7 @@ Section narrative(const study::RunFacts& facts, const Response& response, const 
   } else {
     all.add(sentences(ending(response, units), motions(response, names, units)));
   }
+  if (!response.cause.empty()) all.say(fmt::format("The run {}.", response.cause));
   for (const explanation::Overturning& each : explanation::overturnings_of(facts, response))
     all.say(overturning(each, names.at(each.item), units));
   add_impacts(response, names, units, all);

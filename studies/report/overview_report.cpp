@@ -253,9 +253,7 @@ findings::Section overview_findings(const study::StudyOverview& overview) {
                        failed_runs(overview.failed, overview.untrusted)));
   all.json("overturned", overview.overturned).json("failed", overview.failed);
   all.json("untrusted", overview.untrusted).json("warned", overview.warned);
-  if (overview.warned > 0)
-    all.text("warnings", fmt::format("in {} runs the building warned (/warnings), such as: {}",
-                                     overview.warned, overview.first_warning));
+  for (const std::string& warnings : warning_cautions(overview)) all.text("warnings", warnings);
   all.add(energy_findings(overview)).list("warnings", "warnings", overview.file.warnings);
   all.add(assumption_findings(overview.file)).add(undrawn_findings(overview.undrawn));
   all.add(records(overview.file));

@@ -116,10 +116,12 @@ constexpr double kMuchLeft = 0.2;
 
 }  // namespace
 
-std::string building_caution(const study::StudyOverview& overview) {
-  if (overview.warned == 0) return {};
-  return fmt::format("in {} the building warned, such as: {}",
-                     counted_words(overview.warned, "run"), overview.first_warning);
+findings::Texts warning_cautions(const study::StudyOverview& overview) {
+  findings::Texts all;
+  for (const study::WarningKind& kind : overview.warnings)
+    all.push_back(fmt::format("{} with a warning, such as: {}",
+                              counted_words(kind.runs.size(), "run"), kind.first));
+  return all;
 }
 
 findings::Texts cautions_of(const study::StudyOverview& overview, const study::StudyData& data,
@@ -131,8 +133,7 @@ findings::Texts cautions_of(const study::StudyOverview& overview, const study::S
                               counted_words(overview.runs, "run")));
   if (overview.factors_on_records.above() + overview.factors_on_records.below() > 0)
     all.push_back("scale factors " + overview.factors_on_records.text());
-  if (const std::string building = building_caution(overview); !building.empty())
-    all.push_back(building);
+  std::ranges::move(warning_cautions(overview), std::back_inserter(all));
   if (overview.step_check)
     for (const study::StateChange& each : overview.step_check->states)
       all.push_back(fmt::format("with half the time step the outcome at {} differs in {} of {}",

@@ -20,8 +20,8 @@ findings::List answers_of(const study::StudyOverview& overview, const study::Stu
 /// where there are not two that share runs.
 findings::List compared_answers(const study::StudyOverview& overview, const study::StudyData& data);
 
-/// "in 58 runs the building warned, such as: ..."; empty where it did not.
-std::string building_caution(const study::StudyOverview& overview);
+/// "58 runs with a warning, such as: ..." for each kind of warning.
+findings::Texts warning_cautions(const study::StudyOverview& overview);
 
 /// What a reader has to know before any number of a study is used.
 findings::Texts cautions_of(const study::StudyOverview& overview, const study::StudyData& data,

@@ -278,7 +278,8 @@ void add_runs(Hdf5Writer& file, const RunFacts& facts, const Response& response)
   one_text("outcome",
            "how the run ended: rested, still_moving, stopped, overturned, diverged or untrusted",
            name_of(response.outcome));
-  one_text("cause", "why the run diverged or is untrusted; empty: neither", response.cause);
+  one_text("cause", "why the run failed, or ends where its item overturned; otherwise empty",
+           response.cause);
   file.add({"/runs/end_time", "s", "end of the run", kRun}, std::vector<double>{response.end_time});
   add_record(file, facts.record.value_or(RecordFacts{}));
 }

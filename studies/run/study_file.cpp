@@ -283,10 +283,11 @@ RunTables::RunTables(Hdf5Writer& file, const Batch& batch)
              widest(names_, &ConfigurationNames::variables)}},
            kDrawn);
   define("failures", {{"cause", "why the run failed", kLongestCause}});
-  define("warnings",
-         {{"warning",
-           "what the building under this motion, or the repetition with half the step, warned of",
-           kLongestCause}});
+  define("warnings", {{"warning",
+                       "what is to be known of the run: of the building under this motion, of the "
+                       "repetition with half "
+                       "the step, of an item whose run ends where it overturned",
+                       kLongestCause}});
 }
 
 void RunTables::add(const TaskResult& result) {
@@ -333,6 +334,8 @@ void RunTables::add_run(const TaskResult& result, const Task& task, const StudyR
   if (is_failure(run.response.outcome)) {
     begin("failures", {run.response.cause.substr(0, kLongestCause)})->end_row();
   } else {
+    if (!run.response.cause.empty())
+      begin("warnings", {run.response.cause.substr(0, kLongestCause)})->end_row();
     add_items(run, names);
     add_events(run.response, names);
   }
