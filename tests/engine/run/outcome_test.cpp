@@ -134,26 +134,61 @@ TEST(Outcome, FiniteHugeNumbersFailByName) {
 }
 
 /// Treads so stiff that the item rattles within each step of 8 ms. Its balance is off by 0.7.
-drawn::Run rattling() {
-  drawn::Run run = drawn::run(1054);
-  run.settings.time_step = 0.008;
+/// At steps that do not resolve its contacts.
+drawn::Run coarse(unsigned seed, double step) {
+  drawn::Run run = drawn::run(seed);
+  run.settings.time_step = step;
   return run;
 }
 
+drawn::Run rattling() { return coarse(1054, 0.008); }
+
 TEST(Outcome, ARunThatFailsAfterTheOverturningEndsThere) {
-  drawn::Run coarse = rattling();
-  const Response response = simulate(coarse.scene, coarse.floor, coarse.settings);
+  drawn::Run run = rattling();
+  const Response response = simulate(run.scene, run.floor, run.settings);
   EXPECT_EQ(response.outcome, Outcome::kOverturned);
   EXPECT_THAT(response.cause,
               testing::StartsWith("ends where it overturned at 2.3 s: what followed "
                                   "is not trusted, the energy balance of item"));
   EXPECT_LE(response.quality.energy_closure, EnergyBalance::kTrusted);
-  coarse.settings.follow_overturning = false;
-  const Response until_then = simulate(coarse.scene, coarse.floor, coarse.settings);
+  run.settings.follow_overturning = false;
+  const Response until_then = simulate(run.scene, run.floor, run.settings);
   EXPECT_EQ(until_then.cause, "");
   EXPECT_EQ(response.end_time, until_then.end_time);
   EXPECT_EQ(response.items[0].demands.peak_displacement,
             until_then.items[0].demands.peak_displacement);
+}
+
+TEST(Outcome, ARunThatDivergesAfterTheOverturningEndsThere) {
+  const drawn::Run run = coarse(1552, 0.016);
+  const Response response = simulate(run.scene, run.floor, run.settings);
+  EXPECT_EQ(response.outcome, Outcome::kOverturned);
+  EXPECT_THAT(response.cause,
+              testing::StartsWith("ends where it overturned at 1.34 s: what followed diverged, the "
+                                  "contact solve did not converge at 1.7"));
+}
+
+TEST(Outcome, ARunWhoseEnergyBalanceMissesIsUntrusted) {
+  const drawn::Run run = coarse(1369, 0.02);
+  const Response response = simulate(run.scene, run.floor, run.settings);
+  EXPECT_EQ(response.outcome, Outcome::kUntrusted);
+  EXPECT_TRUE(is_failure(response.outcome));
+  EXPECT_THAT(response.cause, testing::StartsWith("the energy balance of item is off by 0."));
+  EXPECT_THAT(response.cause, testing::HasSubstr("above the limit of 0.05"));
+}
+
+// What the other item does after the first has overturned is not cut off: its demands would be too small.
+TEST(Outcome, ARunOfSeveralItemsDoesNotEndWhereOneOverturned) {
+  drawn::Run run = coarse(1512, 0.02);
+  run.scene.items.push_back(coasting(1e-3).scene.items[0]);
+  run.scene.items[1].name = "coasting";
+  run.scene.items[1].initial.position = {50, 0, 0};
+  const Response response = simulate(run.scene, run.floor, run.settings);
+  EXPECT_EQ(response.outcome, Outcome::kUntrusted);
+  EXPECT_THAT(response.cause,
+              testing::EndsWith("within the limit until an item overturned at 2.88 s, where "
+                                "settings.follow_overturning = false ends the run"));
+  EXPECT_GT(response.end_time, 2.88);
 }
 
 // Replays keep histories and must come to the same verdict.
