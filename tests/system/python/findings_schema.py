@@ -51,7 +51,14 @@ with tempfile.TemporaryDirectory() as folder:
     for options in ([], ["--method", "cloud"]):
         check("fragility", json.loads(support.gurney("fragility", study, "--json", *options)),
               ["fragilities", 0, "runs"])
+    hazard = os.path.join(support.SOURCE, "studies/assessment/hazard.toml")
+    losing = os.path.join(folder, "losing.h5")
+    support.gurney("run", os.path.join(jobs, "icu_ventilator_fragility.toml"), "-o", losing)
+    for options in ([], ["--measure", "PGA geomean", "--at", "0.3", "--hazard", hazard]):
+        check("loss", json.loads(support.gurney("loss", losing, "--json", *options)), ["losses", 0, "runs"])
     check("comparison", json.loads(support.gurney("compare", study, "--json")), ["smallest_p_possible"])
+check("hospital", json.loads(support.gurney(
+    "hospital", os.path.join(support.SOURCE, "studies/hospitals/ward.toml"), "--json")), ["levels", 0, "beds_out"])
 check("calibration", json.loads(support.gurney(
     "calibrate", os.path.join(support.SOURCE, "studies/calibration/example"), "--json")), ["constants", 0, "value"])
 check("verification", json.loads(support.gurney("verify", "alignment/crosswise", "--json")),
