@@ -85,9 +85,9 @@ std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& uni
     all.push_back("scale factors " + audit.factors.text());
   if (audit.of_capacities && audit.overturned > 0)
     all.push_back(fmt::format(
-        "{} runs of the IDA overturned; rocking is chaotic, so the capacity of a single record "
+        "{} {} of the IDA overturned; rocking is chaotic, so the capacity of a single record "
         "depends on the time step and on the intensities tried: prefer multiple stripes",
-        audit.overturned));
+        audit.overturned, audit.overturned == 1 ? "run" : "runs"));
   return all;
 }
 

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "engine/base/units.h"
+#include "engine/config/nearest_name.h"
 #include "studies/build_info/build_info.h"
 #include "studies/calibration/trials/setup_reader.h"
 #include "studies/calibration/trials/trial.h"
@@ -239,6 +242,30 @@ std::string success_of(const Section& all) {
              : fmt::format("{} of {} within their 95 % interval.", inside, table.rows.size());
 }
 
+/// Whether the names are one with a slip of the pen; pu_100 and pu_125, which differ in digits, are two.
+bool look_alike(const std::string& a, const std::string& b) {
+  const auto digits = [](std::string name) {
+    std::erase_if(name, [](char c) { return c < '0' || c > '9'; });
+    return name;
+  };
+  constexpr std::size_t kLettersForASlip = 5;  // of a shorter name a slip makes another word
+  return digits(a) == digits(b) &&
+         config::edit_distance(a, b) <=
+             static_cast<int>(std::min(a.size(), b.size()) / kLettersForASlip);
+}
+
+/// Pairs of casters, or of floors, that look alike.
+void add_alike(const Table& trials, const char* column, Texts& texts) {
+  std::map<std::string, int> names;
+  for (std::size_t i = 0; i < trials.rows.size(); ++i) ++names[text_in(trials, i, column)];
+  for (auto a = names.begin(); a != names.end(); ++a)
+    for (auto b = std::next(a); b != names.end(); ++b)
+      if (look_alike(a->first, b->first))
+        texts.push_back(fmt::format(
+            "{0} '{1}' ({2} of {5} trials) and {0} '{3}' ({4}) are taken as two: are they one?",
+            column, a->first, a->second, b->first, b->second, trials.rows.size()));
+}
+
 Texts cautions_of(const Section& all) {
   Texts texts;
   if (const std::string simulated = text_of(all, "simulated"); simulated != "0")
@@ -262,6 +289,8 @@ Texts cautions_of(const Section& all) {
     else if (!std::isfinite(interval[0]) || !std::isfinite(interval[1]))
       texts.push_back(about + " comes from one trial, which gives no interval.");
   }
+  for (const char* column : {"caster", "floor"})
+    add_alike(*find<Table>(all, "trial_files"), column, texts);
   const Table& outliers = *find<Table>(all, "outliers");
   for (std::size_t i = 0; i < outliers.rows.size(); ++i)
     texts.push_back(fmt::format("{} does not go with the others of {} (p {:.2g}); it is kept.",

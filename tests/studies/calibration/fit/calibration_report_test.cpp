@@ -194,5 +194,16 @@ TEST(Calibration, TakesTablesOfAverages) {
   EXPECT_THAT(figures::calibration_figure(c), HasSubstr("Each point is a pull."));
 }
 
+TEST(CalibrationReport, AsksWhetherNamesThatLookAlikeAreOne) {
+  TrialSet set = programme();  // of R100 and R125, which are two
+  set.trials[7].setup.floor = "mystiqe";
+  const Calibration c = calibrate(std::move(set), "alike");
+  const std::string text =
+      render::text(report::calibration_findings(report::calibration_facts(c, {})));
+  EXPECT_THAT(text,
+              HasSubstr("floor 'mystiqe' (1 of 30 trials) and floor 'mystique' (14) are taken"));
+  EXPECT_THAT(text, Not(HasSubstr("caster 'R100'")));
+}
+
 }  // namespace
 }  // namespace gurney::calibration
