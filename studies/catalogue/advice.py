@@ -3,11 +3,9 @@
 It is the setting of the brakes with the least expected loss, unless even that leaves it out of service too often.
 """
 
-import csv
-import os
-
 from catalogue import motion_rows
 from losses import SETTLED, SETTINGS
+from words import read
 
 MOTION_COUNT = len(motion_rows())
 FLOOR, PLACE, SPEED = "flexible building", "open", "0.8"  # of the advice; peak floor velocity [m/s]
@@ -20,11 +18,6 @@ ACTIONS = {
     "open": "Not settled",
 }
 SETTING_WORDS = {"off": "brakes off", "on": "brakes on", "locked": "brakes on and swivels locked"}
-
-
-def read(folder, name):
-    with open(os.path.join(folder, name), newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def percent(value):

@@ -4,7 +4,7 @@ usage: pages.py GURNEY RESULTS TABLES PAGES
        pages.py --texts GURNEY TABLES PAGES
        pages.py --check GURNEY TABLES PAGES
 
-PAGES gets items.md (the overview), a page for each item, and their figures; with --texts no figures, which need the
+PAGES gets items.md (the overview), a page for each item, checks.md and tethers.md, and figures of the items; with --texts no figures, which need the
 results of all runs. --check writes nothing and ends with 1 where the texts of the pages are not those of the tables.
 """
 
@@ -12,12 +12,13 @@ import json
 import os
 import subprocess
 import sys
-import textwrap
 
-from advice import ACTIONS, FLOOR, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, days, interval_words, percent, read
+import checks
+from advice import ACTIONS, FLOOR, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, days, interval_words, percent
 from catalogue import VARIANCE, sheet_of
 from losses import SETTINGS, SPEEDS
 from tables import FURTHER, much_better
+from words import read, wrapped
 
 WHERE = (FLOOR, PLACE)  # of the overview
 MOVED = ["moved 0.1 m", "moved 0.3 m", "moved 1 m"]
@@ -27,10 +28,6 @@ SHOWN = 0.05  # of p, adjusted for the number of constants
 
 CAUTION = ("Synthetic motions, and mostly assumed parameters of a class of items ([sources](../equipment.md#items)): "
            "[not for a make, a site or attachments](methods.md#what-it-must-not-be-used-for).")
-
-
-def wrapped(text, indent=""):
-    return textwrap.wrap(text, 118, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def cell(row):
@@ -229,9 +226,9 @@ def item_page(catalogue, advice, item, sheet):
         f"[Further limit states](methods.md#further-limit-states), {WHERE[0]}:", "",
         *further_table(catalogue, item), "",
         "## Sources of scatter", "",
-        f"[Shares of the variance](methods.md#record-parameters-chaos) at a PGV of 0.8 m/s, {WHERE[0]}:", "",
+        f"[Shares of the variance](checks.md#record-parameters-chaos) at a PGV of 0.8 m/s, {WHERE[0]}:", "",
         *variance_table(catalogue, item), "",
-        *wrapped(constants_line(catalogue, item) + " [Method](methods.md#what-to-measure-first)."), "",
+        *wrapped(constants_line(catalogue, item) + " [Method](checks.md#record-parameters-chaos)."), "",
         *wrapped("Best predictors of the peak displacement (configurations; [all](data/measures.csv)): "
                  f"{best_measures(catalogue, item)}."), ""]
 
@@ -254,6 +251,7 @@ def texts(gurney, tables):
     sheets = {item: sheet_of(gurney, item) for item in catalogue.items}
     pages = {item + ".md": item_page(catalogue, advice, item, sheet) for item, sheet in sheets.items()}
     pages["items.md"] = overview_page(advice, {item: sheet["name"] for item, sheet in sheets.items()}, catalogue.floors)
+    pages["checks.md"] = checks.page(tables)
     pages["tethers.md"] = tethers_page(read(tables, "tethers.csv"), {i: sheet["name"] for i, sheet in sheets.items()})
     return {name: "\n".join(lines) for name, lines in pages.items()}
 
@@ -274,7 +272,7 @@ def main():
     gurney, tables, pages = arguments[0], *arguments[-2:]
     os.makedirs(os.path.join(pages, "images"), exist_ok=True)
     for name, text in texts(gurney, tables).items():
-        if not mode and name not in ("items.md", "tethers.md"):
+        if not mode and name not in ("items.md", "checks.md", "tethers.md"):
             figures(gurney, name.removesuffix(".md"), arguments[1], os.path.join(pages, "images"))
         with open(os.path.join(pages, name), "w", encoding="utf-8") as file:
             file.write(text)

@@ -1,9 +1,9 @@
-"""How the medians of the catalogue differ with another suite of motions.
+"""How the medians of the catalogue differ with other suites of motions.
 
-usage: suites.py TABLES OTHER_TABLES [OUTPUT]
+usage: suites.py TABLES OUTPUT NAME=OTHER_TABLES...
 
-Both folders are of tables.py, the second of results that catalogue.py made with --suite. Prints the ratio
-of the medians on the peak floor velocity, the other suite's over the shipped one's; OUTPUT gets each pair.
+All folders are of tables.py, the others of results that catalogue.py made with --suite or --motions. OUTPUT gets
+the medians on the peak floor velocity and their ratio, the other suite's over the shipped one's; prints a summary.
 """
 
 import csv
@@ -50,16 +50,18 @@ def summary(rows):
 
 
 def main():
-    if len(sys.argv) not in (3, 4):
+    if len(sys.argv) < 4:
         sys.exit(__doc__)
-    rows = list(pairs(curves(sys.argv[1]), curves(sys.argv[2])))
-    if not rows:
-        sys.exit("suites.py: no curve is in both")
-    if len(sys.argv) == 4:
-        write_csv(sys.argv[3], list(rows[0]), rows)
-    for row in summary(rows):
-        print(f"{row['brakes']:7} {row['limit_state']:15} {row['curves']:3} curves, ratio {row['ratio']} "
-              f"({row['lowest']} to {row['highest']}), {row['within']} within the interval")
+    shipped, rows = curves(sys.argv[1]), []
+    for name, _, folder in (word.partition("=") for word in sys.argv[3:]):
+        own = list(pairs(shipped, curves(folder)))
+        if not own:
+            sys.exit(f"suites.py: no curve is in both {sys.argv[1]} and {folder}")
+        rows += [{"suite": name} | row for row in own]
+        for row in summary(own):
+            print(f"{name:12} {row['brakes']:7} {row['limit_state']:15} {row['curves']:3} curves, ratio {row['ratio']} "
+                  f"({row['lowest']} to {row['highest']}), {row['within']} within the interval")
+    write_csv(sys.argv[2], list(rows[0]), rows)
 
 
 if __name__ == "__main__":

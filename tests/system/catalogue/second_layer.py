@@ -1,5 +1,5 @@
-"""The layer above the curves: halves of the motions, variance components, other suites. Checks the functions on
-made-up numbers, and the numbers in the prose of the methods on the shipped tables.
+"""The layer above the curves: halves of the motions, variance components, other suites, losses. Checks the functions
+on made-up numbers, and what the methods say of the losses.
 
 usage: second_layer.py SOURCE_DIR
 """
@@ -45,12 +45,6 @@ def check_halves():
     for division in halves.divisions().values():
         first, second = map(set, division)
         assert len(first) == len(second) == len(halves.motion_rows()) // 2 and not first & second, division
-    for row in read("halves.csv"):
-        states(f"{row['within_bounded']} of {row['bounded']}")
-    for division in ("by turns", "by shape"):
-        rows = [row for row in read("halves.csv") if row["division"] == division]
-        inside, medians = (sum(int(row[name]) for row in rows) for name in ("within_bounded", "bounded"))
-        states(f"{100 * inside / medians:.0f} % of {medians} medians {division}")
 
 
 def check_suites():
@@ -59,42 +53,6 @@ def check_suites():
     assert float(row["ratio"]) == 2 and row["within"] == "yes", row
     [row] = suites.summary([row, row | {"ratio": "0.5", "within": "no"}])
     assert (row["ratio"], row["lowest"], row["within"]) == ("1.00", "0.50", 1), row
-    rows = read("suites.csv")
-    inside = sum(row["within"] == "yes" for row in rows)
-    ratio = math.exp(sum(math.log(float(row["ratio"])) for row in rows) / len(rows))
-    states(f"{inside} of {len(rows)} medians with records lie within the interval")
-    states(f"{ratio:.2f} times the synthetic one")
-    recorded = {(each["brakes"], each["limit_state"]): each["ratio"] for each in suites.summary(rows)}
-    rows = read("suites_unmatched.csv")
-    inside = sum(row["within"] == "yes" for row in rows)
-    states(f"{inside} of {len(rows)} medians of the 16 lie within the interval")
-    for each in suites.summary(rows):
-        key = each["brakes"], each["limit_state"]
-        if not each["limit_state"].startswith("hit"):
-            line = next(line for line in methods.split("| ") if line.startswith(f"{key[0]}, {key[1]} "))
-            first = methods.index(f"| {line}| {each['ratio']} ({each['lowest']} to {each['highest']}) |")
-            columns = methods[first:].split(" | ")[:5]
-            assert columns[4].split(" ")[0] == recorded[key], (key, columns)
-
-
-def check_draws():
-    shipped = {(row["item"], row["floor"], row["place"], row["brakes"]): row for row in read("fragility.csv")
-               if row["measure"] == "pfv" and row["limit_state"] == "overturned"}
-    single = {(row["item"], row["floor"]): row for row in read("suites.csv")
-              if (row["brakes"], row["limit_state"]) == ("on", "overturned")}
-
-    def median(theta, low, high):
-        return f"{float(theta):.2f} ({float(low):.2f} to {float(high):.2f})"
-    rows = [row for row in read("draws.csv") if row["limit_state"] == "overturned"]
-    assert len(rows) == 2, rows
-    for row in rows:
-        own = shipped[row["item"], row["floor"], row["place"], row["brakes"]]
-        one = single[row["item"], row["floor"]]
-        states(" | ".join([median(own["theta"], own["theta_low"], own["theta_high"]),
-                           median(row["theta"], row["theta_low"], row["theta_high"]),
-                           median(one["other"], one["other_low"], one["other_high"]),
-                           median(row["other"], row["other_low"], row["other_high"]),
-                           f"{float(one['ratio']):.2f}", f"{float(row['ratio']):.2f}"]))
 
 
 def check_losses():
@@ -153,12 +111,6 @@ def check_widths():
     assert [(size, sets) for size, sets in widths.parts(list("abcdefgh"))] == [
         (2, [["a", "e"], ["b", "f"], ["c", "g"], ["d", "h"]]), (4, [list("aceg"), list("bdfh")]), (8, [list("abcdefgh")])]
     assert widths.width([1, 4]) == 4 and math.isinf(widths.width([None, 4])) and math.isinf(widths.width([1, None]))
-    found = {}
-    for row in read("widths.csv"):
-        found.setdefault(row["limit_state"], []).append(f"{float(row['median_width']):.1f}")
-    for state, numbers in found.items():
-        shown = [number if float(number) < 10 else "above 10" for number in numbers]
-        states(f"| {state} | {' | '.join(shown)} |")
 
 
 def check_variance():
@@ -189,23 +141,10 @@ def check_variance():
     for row in read("variance.csv"):
         total = sum(float(row[part]) for part in ("record", "parameters", "chaos"))
         assert abs(total - 1) < 0.016, row  # three roundings to 0.01
-    for brakes in ("off", "on", "locked"):
-        words = f"| {brakes} |"
-        for response in ("ln displacement", "overturned"):
-            rows = [row for row in read("variance.csv") if (row["brakes"], row["response"]) == (brakes, response)]
-            for part in ("record", "parameters", "chaos"):
-                words += f" {100 * statistics.median(float(row[part]) for row in rows):.0f} % |" if rows else " |"
-        states(words)
-    shown = [row for row in read("constants.csv") if float(row["p_holm"]) < 0.05]
-    slope = [row for row in shown if (row["constant"], row["brakes"]) == ("floor slope", "off")]
-    items = {row["item"] for row in read("constants.csv")}
-    states(f"matter for {len(slope)} of {len(items)} items")
-    states(f"Else {len(shown) - len(slope)} constants are shown")
 
 
 check_halves()
 check_suites()
-check_draws()
 check_losses()
 check_tethers()
 check_widths()

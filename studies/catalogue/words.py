@@ -1,0 +1,14 @@
+"""Tables read and lines wrapped, for the pages of the catalogue."""
+
+import csv
+import os
+import textwrap
+
+
+def read(folder, name):
+    with open(os.path.join(folder, name), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def wrapped(text, indent=""):
+    return textwrap.wrap(text, 118, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
