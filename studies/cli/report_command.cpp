@@ -148,6 +148,8 @@ void add_report(Commands& commands) {
         add.required("-o,--output FILE", options.output, "The page (.html)");
         add_limit_state_options(add, options.request.assessed_by);
         add_hazard_option(add, options.request.assessed_by);
+        add("--consequences FILE", options.request.consequences,
+            "State what the runs of a study cost: prices and what follows from each limit state");
         add("--job FILE", options.request.job,
             "The job file, for drawings of its items (default: the path in the log)");
         add_units_option(add, options.request.units);

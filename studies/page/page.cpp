@@ -44,7 +44,7 @@ Document document_of(const StudyPage& page) {
                     !page.unfinished.empty()};
   if (document.again) document.subtitle += ". UNFINISHED: " + page.unfinished;
   for (const auto section : {study_summary, study_design, study_outcomes, study_fragility,
-                             study_demands, study_sensitivity, study_zones, study_cases,
+                             study_loss, study_demands, study_sensitivity, study_zones, study_cases,
                              study_failures, study_time_step, study_records, study_methods})
     document.sections.push_back(section(page));
   document.sections.push_back(assumptions_section(overview.file, overview.undrawn));
@@ -94,6 +94,10 @@ StudyPage::StudyPage(const PageRequest& request)
       data(path, request.assessed_by, {}, request.units),
       fragilities(study::fragilities_of(data)) {
   if (overview.draws > 0) sensitivities = sensitivities_of(data);
+  if (!request.consequences.empty()) {
+    consequences = study::Consequences::read(request.consequences);
+    losses = study::study_losses(data, *consequences, {});
+  }
   try {
     scene = scene_of_study(data.file(), request.job);
   } catch (const Error& error) {
@@ -103,16 +107,18 @@ StudyPage::StudyPage(const PageRequest& request)
 
 std::string results_page(const PageRequest& request) {
   if (is_json(request.file)) {
-    require(request.assessed_by.empty(),
-            request.file + ": is JSON; limit states and hazard are for the file of a study");
+    require(request.assessed_by.empty() && request.consequences.empty(),
+            request.file +
+                ": is JSON; limit states, hazard and consequences are for the file of a study");
     Document document = json_document(request.file);
     document.program = program();
     return html(document);
   }
   if (study::is_study_file(request.file)) return html(document_of(StudyPage(request)));
-  require(
-      request.assessed_by.empty(),
-      request.file + ": is the file of one run; limit states and hazard are for that of a study");
+  require(request.assessed_by.empty() && request.consequences.empty(),
+          request.file +
+              ": is the file of one run; limit states, hazard and consequences are for that of a "
+              "study");
   Document document = run_document(request);
   document.program = program();
   return html(document);

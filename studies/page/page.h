@@ -18,6 +18,7 @@ namespace gurney::page {
 struct PageRequest {
   std::string file;  ///< of a study, of one run, or JSON of a calibration or a verification
   study::AssessmentRequest assessed_by{};  ///< of studies
+  std::string consequences{};  ///< file of prices and what follows, of studies; empty: no losses
   study::UnitSystem units{};
   std::string job{};  ///< where the job's file is, for names relative to it; empty: beside the file
   std::optional<explanation::Explanation> explanation{};  ///< of one run
@@ -28,7 +29,7 @@ struct PageRequest {
 };
 
 /// The report of a results file, or of the JSON of a calibration or a verification, as one HTML page.
-/// @throws Error unless it is one of these, and as StudyData does
+/// @throws Error unless it is one of these, and as StudyData and Consequences do
 std::string results_page(const PageRequest& request);
 
 /// Scenes of a job, read again with the present catalogue.

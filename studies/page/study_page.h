@@ -8,6 +8,8 @@
 #include "studies/analysis/overview.h"
 #include "studies/analysis/stored_histories.h"
 #include "studies/analysis/study_data.h"
+#include "studies/loss/consequences.h"
+#include "studies/loss/study_loss.h"
 #include "studies/page/html.h"
 #include "studies/page/page.h"
 #include "studies/report/study_report.h"
@@ -25,8 +27,10 @@ struct StudyPage {
   study::StudyData data;
   std::vector<study::FragilityResult> fragilities;  ///< states of a configuration together
   std::vector<report::SensitivityReport> sensitivities;
-  std::optional<JobScene> scene;  ///< of the first configuration
-  std::string no_scene;           ///< why there is none
+  std::optional<study::Consequences> consequences;
+  std::vector<study::StudyLoss> losses;  ///< one for each configuration; empty: not asked for
+  std::optional<JobScene> scene;         ///< of the first configuration
+  std::string no_scene;                  ///< why there is none
 };
 
 /// Width of a figure that stands beside others [px].
@@ -40,6 +44,7 @@ Section study_summary(const StudyPage& page);
 Section study_design(const StudyPage& page);
 Section study_outcomes(const StudyPage& page);
 Section study_fragility(const StudyPage& page);
+Section study_loss(const StudyPage& page);
 Section study_demands(const StudyPage& page);
 Section study_sensitivity(const StudyPage& page);
 Section study_zones(const StudyPage& page);

@@ -11,11 +11,13 @@
 #include "studies/analysis/demands.h"
 #include "studies/figures/demand_figures.h"
 #include "studies/figures/labels.h"
+#include "studies/figures/loss_figure.h"
 #include "studies/figures/plan_figures.h"
 #include "studies/figures/study_figures.h"
 #include "studies/page/html.h"
 #include "studies/page/study_page.h"
 #include "studies/report/fragility_report.h"
+#include "studies/report/loss_report.h"
 #include "studies/report/overview_report.h"
 #include "studies/report/study_report.h"
 
@@ -226,6 +228,23 @@ Section study_fragility(const StudyPage& page) {
   return {"fragility", "Fragility",
           paragraph("P(limit state | im) = \u03a6(ln(im / \u03b8) / \u03b2)") + table_of(page) +
               notes_of(page) + performance_of(page)};
+}
+
+Section study_loss(const StudyPage& page) {
+  if (page.losses.empty()) return {"loss", "Loss", {}};
+  const findings::Section facts = report::loss_findings(page.data, *page.consequences, page.losses);
+  const auto figure = [&] {
+    return html(
+        Drawing{"loss",
+                figures::loss_figure(*page.consequences, page.losses,
+                                     study::report_unit(page.data, page.losses.front().measure)),
+                "Expected loss at each level, and with a hazard how often a year the loss is above "
+                "a value.",
+                "Loss by level, with intervals; the tables have the numbers."});
+  };
+  const bool drawn = std::ranges::any_of(
+      page.losses, [](const study::StudyLoss& loss) { return !loss.levels.empty(); });
+  return {"loss", facts.title, (drawn ? figure() : Html{}) + html(facts)};
 }
 
 Section study_sensitivity(const StudyPage& page) {

@@ -93,7 +93,7 @@ set(GURNEY_ROOMS
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info
     studies/job studies/units studies/results studies/plan
-    studies/analysis studies/findings studies/report studies/figures studies/explanation"
+    studies/analysis studies/findings studies/loss studies/report studies/figures studies/explanation"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/results
     studies/run studies/picture"
   "studies/templates: engine/base"

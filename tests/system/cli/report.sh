@@ -54,8 +54,18 @@ expect 1 '"gurney-calibration/1"' "$gurney" report foreign.json -o x.html
 "$gurney" verify alignment/crosswise --json > verified.json 2> stderr
 expect 0 "verified.html" "$gurney" report verified.json -o verified.html
 has verified.html "alignment/crosswise"
-expect 1 "limit states and hazard are for the file of a study" \
+expect 1 "limit states, hazard and consequences are for the file of a study" \
   "$gurney" report verified.json --limit-state overturned -o x.html
+has_not study.html 'id="loss'
+expect 0 "loss.html" "$gurney" report study.h5 --consequences "$2/equipment/consequences.toml" -o loss.html
+"$gurney" loss study.h5 --consequences "$2/equipment/consequences.toml" > loss.txt
+has loss.html 'id="loss-figure"'
+has loss.html "$(awk '/^Losses in/ {print; exit}' loss.txt)"
+has loss.html "P(injury)"
+expect 1 "limit states, hazard and consequences are for that of a study" \
+  "$gurney" report run.h5 --consequences "$2/equipment/consequences.toml" -o x.html
+expect 1 "prices.toml" "$gurney" report study.h5 --consequences prices.toml -o x.html
+[ ! -e x.html ] || complain "a page in spite of an error"
 expect 1 "run.html: exists already" "$gurney" report run.h5 -o run.html
 expect 0 "run.html" "$gurney" report run.h5 -o run.html --overwrite
 expect 1 "must end in .html" "$gurney" report run.h5 -o run.pdf
