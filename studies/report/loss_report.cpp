@@ -12,7 +12,7 @@ using findings::Section;
 using findings::Table;
 using findings::Value;
 
-const Format kLossMoney{".4g"}, kLossDays{".3g"}, kLossPercent{".3g", "%", 0.01};
+const Format kLossMoney{".0f"}, kMeanMoney{".4g"}, kLossDays{".3g"}, kLossPercent{".3g", "%", 0.01};
 
 Value interval_of(const study::LossEstimate& estimate) {
   return estimate.interval ? ends(*estimate.interval) : Value();
@@ -95,7 +95,7 @@ void add_expected(const study::ExpectedLoss& of, const std::string& per, Section
                      : "");
     section.json(std::string(key) + "_interval", interval_of(estimate));
   };
-  add("cost", "expected loss" + per, of.cost, kLossMoney);
+  add("cost", "expected loss" + per, of.cost, kMeanMoney);
   add("days", "days out of use" + per, of.days, kLossDays);
   add("out_of_use", per.empty() ? "P(an item out of use)" : "times out of use" + per, of.out_of_use,
       {".3g"});
