@@ -38,6 +38,7 @@ struct SubmitOptions {
   int shards = 0, threads = 1;
   int at_most = 0;  ///< shards that run at the same time; 0: as many as there is room for
   bool slurm = false, pbs = false, lsf = false, overwrite = false;
+  std::size_t stages = 1;  ///< of the study
 };
 
 /// Slurm refuses array indices from MaxArraySize on, which is 1001 unless a site sets another.
@@ -108,6 +109,15 @@ fi
 [ "$code" -eq 3 ] && code=0  # some runs failed: they are rows of the results
 )";
 
+/// A stage needs all shards of the one before: each time all of them finish one more at least.
+constexpr const char* kStages = R"(code=0
+for stage in $(seq {}); do
+  {}  code=$?
+  [ "$code" -eq 0 ] || [ "$code" -eq 3 ] || break
+done
+(exit "$code")
+)";
+
 std::string script_of(const SubmitOptions& options, const std::string& results) {
   const std::string program = shell_word(options.program);
   const std::string run = fmt::format("srun {} run {} -o {} --resume -j \"$SLURM_CPUS_PER_TASK\"",
@@ -124,8 +134,9 @@ std::string script_of(const SubmitOptions& options, const std::string& results) 
                        options.shards) +
            fmt::format(fmt::runtime(kAgain), "${SLURM_ARRAY_JOB_ID}_${SLURM_ARRAY_TASK_ID}") +
            "exit \"$code\"\n";
-  return text + fmt::format("{} --shard auto\n", run) +
-         fmt::format(fmt::runtime(kAgain), "$SLURM_JOB_ID") +
+  const std::string all = run + " --shard auto\n";
+  text += options.stages == 1 ? all : fmt::format(fmt::runtime(kStages), options.stages, all);
+  return text + fmt::format(fmt::runtime(kAgain), "$SLURM_JOB_ID") +
          fmt::format("[ \"$code\" -eq 0 ] && exec {}\nexit \"$code\"\n", merge);
 }
 
@@ -192,7 +203,8 @@ std::string further_arrays(const SubmitOptions& options, const std::string& scri
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-int submit_command(const SubmitOptions& options) {
+int submit_command(const SubmitOptions& asked) {
+  SubmitOptions options = asked;
   for (const std::string& line : options.site)
     require(line.starts_with(options.slurm ? "--" : "-"),
             fmt::format("--directive {}: must be one option of the scheduler, such as {}", line,
@@ -212,13 +224,12 @@ int submit_command(const SubmitOptions& options) {
   const study::StudyMotions motions(job);
   const study::Plan plan(job, motions);
   const auto tasks = plan.tasks();
-  require(plan.stages() == 1,
-          options.job +
-              ": study.intensity.adaptive: a study in stages cannot be divided into "
-              "shards; run it on one node, or state the levels");
-  require(static_cast<std::size_t>(options.shards) <= tasks,
-          fmt::format("--shards {}: the study has {} analysis cases, and no more shards are of use",
-                      options.shards, tasks));
+  const std::size_t at_once = plan.tasks_of_stage();
+  require(
+      static_cast<std::size_t>(options.shards) <= at_once,
+      fmt::format("--shards {}: the study has {} analysis cases{}, and no more shards are of use",
+                  options.shards, at_once, plan.stages() > 1 ? " in a stage" : ""));
+  options.stages = plan.stages();
   motions.read_all(1);  // what is wrong with a record is said here and not by every shard
   const std::string stem = fs::path(options.job).stem().string();
   const std::string results = no_option(options.output.empty() ? stem + ".h5" : options.output);
@@ -233,6 +244,11 @@ int submit_command(const SubmitOptions& options) {
              printable(script), tasks, options.shards, scheduler.submit, shell_word(script),
              further_arrays(options, shell_word(script)),
              shell_word(study::shards_path(results).string()));
+  if (options.mode == "array" && options.stages > 1)
+    fmt::print("again    {}, in all {} times, each after all shards of the stage before\n",
+               options.slurm ? fmt::format("sbatch --dependency=singleton {}", shell_word(script))
+                             : scheduler.submit + shell_word(script),
+               options.stages);
   if (options.mode == "array")
     fmt::print("at last  gurney merge {}\n", shell_word(study::shards_path(results).string()));
   return 0;

@@ -186,18 +186,27 @@ int finish_shard(const RunOptions& options, const study::Shard& shard,
                                               {"shards", shard.count},
                                               {"folder", paths.parts.string()},
                                               {"analysis_cases", progress.tasks},
+                                              {"finished", progress.done},
                                               {"runs", progress.runs},
                                               {"overturned", progress.overturned},
                                               {"failed", progress.failed},
-                                              {"untrusted", progress.untrusted}}
+                                              {"untrusted", progress.untrusted},
+                                              {"stage", progress.stage + 1},
+                                              {"awaited_analysis_cases", progress.awaited}}
                            .dump(2));
-  else
+  else if (!options.quiet)
     fmt::print(
-        "shard    {} of {}: {} analysis cases, {} runs, {} overturned, {}\n"
-        "when all shards are finished: gurney merge {}\n",
-        shard.number, shard.count, progress.tasks, progress.runs, progress.overturned,
+        "shard    {} of {}: {} analysis cases, {} runs, {} overturned, {}\n{}", shard.number,
+        shard.count, progress.done, progress.runs, progress.overturned,
         report::failed_runs(progress.failed, progress.untrusted),
-        shell_word(paths.parts.parent_path().string()));
+        progress.awaited > 0
+            ? fmt::format(
+                  "stage    {} is finished here and lacks {} analysis cases of other shards\n"
+                  "when these are finished: gurney run {} -o {} --resume --shard {}\n",
+                  progress.stage + 1, progress.awaited, shell_word(options.job),
+                  shell_word(paths.results.string()), shell_word(options.shard))
+            : fmt::format("when all shards are finished: gurney merge {}\n",
+                          shell_word(paths.parts.parent_path().string())));
   return progress.failed > 0 ? 3 : 0;
 }
 
@@ -298,10 +307,6 @@ int run_study(const RunOptions& options) {
   const study::Plan plan(job, motions);
   const study::Batch batch{job, motions, plan};
   refuse_oversized(batch);
-  require(options.shard.empty() || plan.stages() == 1,
-          fmt::format("{}: study.intensity.adaptive: a stage needs the runs of all shards of those "
-                      "before it; run the study without --shard, or state the levels",
-                      options.job));
   motions.read_all(threads);
   if (is_complete(options, paths, batch)) return 0;
 
@@ -345,7 +350,7 @@ int run_study(const RunOptions& options) {
     fail("not enough memory");
   }
   const std::string what = attempt(progress, threads);
-  if (progress.done < progress.tasks) {
+  if (progress.done < progress.tasks && progress.awaited == 0) {
     append_log(paths.log, log_entry(options.job, "interrupted", what));
     print_error("\ngurney: interrupted; {}\n",
                 resume_hint(options, paths, folder, folder.size(), shard.tasks_of(plan.tasks())));

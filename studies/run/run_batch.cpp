@@ -9,6 +9,7 @@
 
 #include "engine/base/parallel.h"
 #include "studies/plan/stages.h"
+#include "studies/run/shard_status.h"
 
 namespace gurney::study {
 
@@ -139,6 +140,15 @@ std::vector<std::size_t> missing_tasks(const Batch& batch, std::size_t stage, co
   return missing;
 }
 
+/// Tasks of a stage that no shard has finished.
+std::size_t unfinished(const Batch& batch, std::size_t stage, const FinishedCases& all) {
+  const std::size_t tasks = batch.plan.tasks_of_stage();
+  std::size_t count = 0;
+  for (std::size_t task = stage * tasks; task < (stage + 1) * tasks; ++task)
+    count += !all.has(task);
+  return count;
+}
+
 /// CPU time of this thread: a busy machine does not make a record look slow.
 double cpu_seconds() {
   timespec time{};
@@ -185,13 +195,23 @@ BatchProgress run_batch(const Batch& batch, PartFolder& folder, const CrashLog& 
   Collector collector(progress, done_before(batch, folder, shard), folder.next_part());
   const Work work{batch, folder, crashes, collector, go_on};
   StageLevels levels(batch);
+  std::size_t awaited = 0;
   run_tasks(work, missing_tasks(batch, 0, shard, folder), levels, threads);
   while (levels.stage() + 1 < batch.plan.stages() && go_on()) {
     if (!missing_tasks(batch, levels.stage(), shard, folder).empty()) break;
-    levels.advance([&](std::size_t task) { return task_from_bytes(folder.read(task)); });
+    if (shard.count == 1) {
+      levels.advance([&](std::size_t task) { return task_from_bytes(folder.read(task)); });
+    } else {
+      const FinishedCases all(folder.path().parent_path());
+      if ((awaited = unfinished(batch, levels.stage(), all)) > 0) break;
+      levels.advance([&](std::size_t task) { return all.read(task); });
+    }
     run_tasks(work, missing_tasks(batch, levels.stage(), shard, folder), levels, threads);
   }
-  return collector.finish();
+  BatchProgress ended = collector.finish();
+  ended.stage = levels.stage();
+  ended.awaited = awaited;
+  return ended;
 }
 
 }  // namespace gurney::study

@@ -38,12 +38,15 @@ struct BatchProgress : RunCounts {          // of the tasks that are done
   std::size_t tasks = 0, done = 0;          ///< those of earlier attempts included
   std::size_t tasks_now = 0, runs_now = 0;  ///< of this attempt
   double seconds = 0;                       ///< of this attempt
+  std::size_t stage = 0;    ///< of adaptive stripes, from 0, where the attempt ended
+  std::size_t awaited = 0;  ///< tasks of that stage that other shards have not finished
 };
 
 /// Runs every task of a shard that the folder lacks, and puts it there. A run that crashed the
 /// program twice (crash_log.h) fails without being tried again.
 /// @param crashes   of this folder
-/// @param shard     the whole of a study with stages, each of which needs all tasks of those before
+/// A stage after the first rests on all tasks of those before: a shard reads those of the others, in
+/// folders beside its own, and ends where they are not finished (BatchProgress::awaited).
 /// @param threads   >= 1
 /// @param go_on     false: runs in flight are dropped, what is finished goes to the folder
 /// @param progress  called about twice a second, from one thread at a time

@@ -251,7 +251,7 @@ for wrong in 0/3 4/3 1/0 a/3 1-3 3 /3 1/ 1/200000; do
 done
 gone b.h5.shards
 
-# What shards cannot do.
+# Stages of a study: each rests on all shards of the one before.
 sed 's/^scales = .*/measure = "PGA"\nunit = "g"\ncomponent = "h1"\nlevels = [0.1, 1]\nadaptive = { stages = 2, limit_state = "moved" }/' job.toml > staged.toml
 cat >> staged.toml <<'TOML'
 [[study.limit_state]]
@@ -260,7 +260,23 @@ demand = "peak_displacement"
 above = 0.1
 unit = "m"
 TOML
-study 1 "staged.toml: study.intensity.adaptive: a stage needs the runs of all shards of those before it" staged.toml -o s.h5 --shard 1/2
+study 0 "next:" staged.toml -o staged_whole.h5
+study 0 "stage    1 is finished here and lacks" staged.toml -o s.h5 --shard 1/2
+study 0 "stage    1 is finished here and lacks" staged.toml -o s.h5 --shard 1/2 --resume
+expect 1 "analysis cases are missing" "$gurney" merge s.h5.shards
+study 0 "stage    2 is finished here and lacks" staged.toml -o s.h5 --shard 2/2
+study 0 "when all shards are finished: gurney merge" staged.toml -o s.h5 --shard 1/2 --resume
+expect 1 "gurney run" "$gurney" merge s.h5.shards
+study 0 "when all shards are finished: gurney merge" staged.toml -o s.h5 --shard 2/2 --resume
+expect 0 "s.h5" "$gurney" merge s.h5.shards
+same staged_whole.h5 s.h5
+expect 0 "sbatch --dependency=singleton s.sbatch, in all 3 times" \
+  "$gurney" submit staged.toml --slurm --shards 2 --script s.sbatch
+expect 0 "a.sbatch" "$gurney" submit staged.toml --slurm --shards 2 --mode allocation --script a.sbatch
+grep -q '^for stage in $(seq 3); do$' a.sbatch || complain "an allocation without its stages"
+bash -n a.sbatch || complain "a script that is none"
+
+# What shards cannot do.
 study 1 "is a single run, which has no use for --shard" "$2/studies/jobs/icu_ventilator_shake.toml" --shard 1/2
 expect 1 "none: is not a folder of shards" "$gurney" merge none
 mkdir empty
