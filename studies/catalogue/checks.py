@@ -22,7 +22,9 @@ def percent(value):
 
 
 def floors(tables):
-    cell = lambda row, name, unit="": f"{row[name + unit]} ({row[f'{name}_p16{unit}']} to {row[f'{name}_p84{unit}']})"
+    def cell(row, name, unit=""):
+        return "{:.2f} ({:.2f} to {:.2f})".format(*(float(row[name + end + unit]) for end in ("", "_p16", "_p84")))
+
     rows = ([row["floor"], row["pgv"], cell(row, "pfv"), cell(row, "pfa", "_g"), row["beyond_drift"],
              row["beyond_capacity"]] for row in read(tables, "floors.csv"))
     return ["## Floors", "",
