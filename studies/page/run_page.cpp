@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "engine/base/error.h"
@@ -171,12 +172,42 @@ std::vector<std::string> names_of_demands() {
   return names;
 }
 
+constexpr std::size_t kMostSettled = 3;  // items; of more the table would be too wide
+
+/// Inserts what each demand of an item is settled to, beside it. Nothing where the run was not judged.
+void insert_settled(const RunFile& run, Table& table) {
+  const std::size_t items = table.columns.size() - 2;
+  if (items > kMostSettled || !run.file.has("/settled/demand")) return;
+  const auto text = [&](const char* name) {
+    return run.file.strings(std::string("/settled/") + name);
+  };
+  const auto names = text("item"), parts = text("part"), demands = text("demand"),
+             units = text("unit");
+  const std::vector<double> settled = run.file.numbers("/settled/settled_to");
+  std::map<std::pair<std::string, std::string>, std::string> of;  // by item and label
+  for (std::size_t i = 0; i < settled.size(); ++i)
+    if (parts.at(i).empty())
+      of[{names.at(i),
+          figures::with_unit(figures::label_of(demands.at(i)), run.units.of(units.at(i)))}] =
+          std::isfinite(settled[i]) ? fmt::format("{:g} %", 100 * settled[i]) : "NOT SETTLED";
+  for (std::size_t item = items; item > 0; --item) {
+    const auto at = static_cast<std::ptrdiff_t>(item) + 1;
+    const std::string name = table.columns[item].label;
+    table.columns.insert(table.columns.begin() + at, {"", "settled to"});
+    for (std::vector<Cell>& row : table.rows) {
+      const auto found = of.find({name, written(row.front().value, {})});
+      row.insert(row.begin() + at, found == of.end() ? std::string() : found->second);
+    }
+  }
+}
+
 Section summary(const RunFile& run, const findings::Section& narrative) {
+  Table demands = turned_table_of_group(run.file, "items", "Demands of the items", "item",
+                                        run.units, names_of_demands());
+  insert_settled(run, demands);
   return {"summary", "At a glance",
           caution_box(cautions_of(run)) + html(narrative) +
-              html(report::outcome_findings(run.overview)) +
-              html(turned_table_of_group(run.file, "items", "Demands of the items", "item",
-                                         run.units, names_of_demands()))};
+              html(report::outcome_findings(run.overview)) + html(demands)};
 }
 
 Section design(const RunFile& run) {

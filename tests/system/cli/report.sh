@@ -42,6 +42,7 @@ for page in run.html study.html; do
   has "$page" "$("$gurney" --version | awk '/^commit/ {print $2}')"
 done
 has run.html 'id="history-tilt-figure"'
+has run.html 'settled to'
 has study.html "Limit state overturned"
 expect 0 "again.html" "$gurney" report study.h5 -o again.html
 cmp study.html again.html || complain "two pages of one file differ"
