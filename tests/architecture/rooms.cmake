@@ -78,7 +78,7 @@ set(GURNEY_ROOMS
   "studies/render: engine/base studies/findings"
   "studies/explanation: engine/base engine/scene engine/response engine/run equipment/catalogue
     studies/statistics studies/units studies/results studies/findings"
-  "studies/report: engine/base engine/scene engine/response groundmotions/record
+  "studies/report: engine/base engine/config engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/assembly groundmotions/buildings equipment/catalogue
     studies/build_info studies/verification studies/units studies/results studies/analysis
     studies/loss studies/hospital studies/convergence studies/calibration/trials
