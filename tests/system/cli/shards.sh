@@ -274,7 +274,21 @@ expect 0 "sbatch --dependency=singleton s.sbatch, in all 3 times" \
   "$gurney" submit staged.toml --slurm --shards 2 --script s.sbatch
 expect 0 "a.sbatch" "$gurney" submit staged.toml --slurm --shards 2 --mode allocation --script a.sbatch
 grep -q '^for stage in $(seq 3); do$' a.sbatch || complain "an allocation without its stages"
-bash -n a.sbatch || complain "a script that is none"
+# Its loop, with both shards at once in place of what srun does.
+mkdir staged_bin
+cat > staged_bin/srun <<'SRUN'
+#!/usr/bin/env bash
+SLURM_PROCID=0 SLURM_NTASKS=2 "$@" &
+SLURM_PROCID=1 SLURM_NTASKS=2 "$@"
+code=$?
+wait $! && exit "$code"
+SRUN
+chmod +x staged_bin/srun
+expect 0 "a.sbatch" "$gurney" submit staged.toml --slurm --shards 2 --mode allocation --script a.sbatch \
+  --overwrite --program "$gurney" -o t.h5
+PATH=$PWD/staged_bin:$PATH SLURM_CPUS_PER_TASK=1 SLURM_JOB_ID=1 bash a.sbatch > stdout 2> stderr ||
+  complain "an allocation of a study in stages fails"
+same staged_whole.h5 t.h5
 
 # What shards cannot do.
 study 1 "is a single run, which has no use for --shard" "$2/studies/jobs/icu_ventilator_shake.toml" --shard 1/2
