@@ -2,7 +2,8 @@
 
 import statistics
 
-from catalogue import BRAKES, motion_rows
+import judgements
+from catalogue import BRAKES, motion_rows, rows as rows_of
 from suites import summary
 from tables import MUCH_BETTER, much_better
 from words import read, wrapped
@@ -64,6 +65,58 @@ def measures(tables):
             "beta on the PFV, medians of curves with 10 outcomes of either kind (each beta is of the logarithm of its "
             "own measure):")
     return ["## Better measures", "", *wrapped(text), "", *table(["brakes", *STATES], map(cells, BRAKES))]
+
+
+def sufficiency(tables):
+    tested = [row for row in read(tables, "sufficiency.csv") if row["p_pfv"]]
+
+    def cells(brakes, state):
+        rows = [row for row in tested if (row["brakes"], row["limit_state"]) == (brakes, state)]
+        if not rows:
+            return None
+        median = lambda name: statistics.median(float(row[name]) for row in rows)
+        shown = [sum(float(row["p_holm_" + end]) < SHOWN for row in rows) for end in ("pfv", "vector")]
+        return [f"{brakes}, {state}", len(rows), shown[0], f"{median('ratio_pfv'):.2f}", percent(median("off_pfv")),
+                shown[1], percent(median("off_vector"))]
+
+    found = [cells(brakes, state) for state in ("moved 0.3 m", "moved 1 m", "overturned") for brakes in BRAKES]
+    return ["## Is the velocity of the floor enough?", "",
+            *wrapped("One curve for all floors would do if floors of equal PFV had equal chances. Tested by item, place, "
+                     "brakes and limit state: a probit on ln PFV with one term for each floor, its covariance over motions, F "
+                     f"test, adjusted for {len(tested)} tests by Holm's method (`sufficiency.csv`). Ratio: largest over "
+                     "smallest median of the floors. Off: the most that one curve for all is off on a floor, in points of the "
+                     "chance. With the peak acceleration of the floor (PFA) beside the PFV:"), "",
+            *table(["brakes, limit state", "tested", "floors differ", "ratio", "off", "differ with PFA", "off"],
+                   filter(None, found)), "",
+            *wrapped("Ratios, and what a curve is off, are medians of the items. **So use the curve of the floor that is "
+                     "most like yours**, as the tables have one for each; for a floor unlike all of them `sufficiency.csv` "
+                     "has P = Phi(constant + a ln PFV + b ln PFA), PFV in m/s and PFA in m/s2, as good as the last column says.")]
+
+
+def not_counted(tables):
+    rows = read(tables, "runs.csv")
+    runs, failed = (sum(int(row[name]) for row in rows) for name in ("runs", "failed"))
+    listed = ((row["item"], row["overturned"], row["failed_runs"]) for row in rows if row["failed_runs"])
+    what = "untrusted (energy balance off by more than 5 %)"
+    if not failed:
+        return ["## Runs that are not counted", "", f"None: no run of {runs} is {what} (`runs.csv`)."]
+    text = f"{failed} of {runs} runs {'is' if failed == 1 else 'are'} {what} and not counted (`runs.csv`)."
+    return ["## Runs that are not counted", "",
+            *wrapped(text + " `gurney explain` runs one again by its number. With it one more of the 128 runs of a curve would "
+                     "exceed, or not:"), "", *table(["item", "overturned, of all", "not counted"], listed)]
+
+
+def judged(tables):
+    items = [row["item"] for row in rows_of("items.csv")]
+    counts = {item: judgements.counts(item) for item in items}
+    total = {name: sum(of[name] for of in counts.values()) for name in counts[items[0]]}
+    share = (total["published in part"] + total["judged"]) / sum(total[name] for name in judgements.KINDS)
+    return ["## What is a judgement", "",
+            *wrapped("Quantities in the files of an item, its casters (each file once) and its floor covering: published, "
+                     "published in part (a measured value of something like it, or a part of the value), judged, each with its "
+                     "reason and range in the file. Drawn: of the last two those with a distribution; the others stay at their "
+                     f"values. In all {percent(share)} are judged, in part or whole."), "",
+            *table(["item", *judgements.KINDS, "drawn"], ([item, *of.values()] for item, of in counts.items()))]
 
 
 def halves(tables):
@@ -151,6 +204,9 @@ def torque(tables):
 
 
 def interval(row, name):
+    """Median and interval, which fewer than 8 motions do not have."""
+    if not row[name + "_low"]:
+        return f"{float(row[name]):.2f}"
     return "{:.2f} ({:.2f} to {:.2f})".format(*(float(row[name + end]) for end in ("", "_low", "_high")))
 
 
@@ -185,6 +241,7 @@ def page(tables):
     lines = ["# How far the curves hold", "",
              *wrapped("Checks of the [fragility catalogue](methods.md) on itself and with other motions, from its "
                       "[tables](methods.md#tables).")]
-    for section in (floors, measures, halves, widths, shares, torque, other_suites):
+    for section in (floors, sufficiency, measures, halves, widths, shares, torque, other_suites, not_counted,
+                    judged):
         lines += ["", *section(tables)]
     return lines + [""]

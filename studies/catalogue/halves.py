@@ -37,7 +37,8 @@ def curves(gurney, file, names, records):
     limits = [word for state in STATES for word in ("--limit", state)]
     text = output_of(gurney, "fragility", file, "--measure", "pfv", "--json", *limits, "--configuration", *names,
                      "--record", *records)
-    return {(each["limit_state"], each["configuration"]): each for each in json.loads(text)["fragilities"]}
+    return {(each["limit_state"], each["configuration"]): each | {"theta_interval": each.get("theta_interval") or [None, None]}
+            for each in json.loads(text)["fragilities"]}  # what no interval can be stated of has one without ends
 
 
 def within(median, interval):

@@ -7,25 +7,28 @@ from each limit state. Docs: docs/catalogue/methods.md, What to do.
 """
 
 import csv
+import functools
 import math
 import os
 import random
 import statistics
 import sys
 import tomllib
+from concurrent.futures import ProcessPoolExecutor
 
 from catalogue import BRAKES
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CONSEQUENCES = os.path.join(HERE, "..", "..", "equipment", "consequences.toml")
 SETTINGS = tuple(BRAKES)
-SPEEDS = (0.4, 0.8, 1.2)  # [m/s] peak floor velocity
+SPEEDS = (0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5)  # [m/s] peak floor velocity
 SAMPLES = 400
 SETTLED = 0.9  # share of the samples in which an action has the least loss
 QUANTITIES = ("days", "cost_ratio")
 COLUMNS = ["item", "floor", "place", "pfv", *(f"{q}_{s}{end}" for q in (*QUANTITIES, "lost") for s in SETTINGS
            for end in ("", "_low", "_high")), "best", "share", "best_by_cost", "share_by_cost", "depends_on"]
-Z95 = statistics.NormalDist().inv_cdf(0.975)
+NORMAL = statistics.NormalDist()
+Z95 = NORMAL.inv_cdf(0.975)
 
 
 def consequences(path=CONSEQUENCES):
@@ -54,14 +57,19 @@ def within(bounds, u):
     return low + 2 * u * (value - low) if u < 0.5 else value + (2 * u - 1) * (high - value)
 
 
+@functools.lru_cache(maxsize=None)
+def scatter(middle, low, high):
+    """A parameter of a curve and the logarithmic widths of its interval below and above; the other side's width where
+    the interval has no end."""
+    value = float(middle)
+    widths = [abs(math.log(float(end) / value)) if end not in ("", "inf", "0") else None for end in (low, high)]
+    return value, [own if own is not None else other or 0 for own, other in zip(widths, widths[::-1])]
+
+
 def spread(curve, name, z):
-    """Parameter of a curve at a normal score, with the width of its interval on that side; the other side's
-    width where the interval has no end there."""
-    middle = float(curve[name])
-    ends = [curve[name + end] for end in ("_low", "_high")]
-    widths = [abs(math.log(float(end) / middle)) if end not in ("", "inf", "0") else None for end in ends]
-    width = widths[z > 0] if widths[z > 0] is not None else widths[z <= 0] or 0
-    return middle * math.exp(z * width / Z95)
+    """Parameter of a curve at a normal score."""
+    value, widths = scatter(curve[name], curve[name + "_low"], curve[name + "_high"])
+    return value * math.exp(z * widths[z > 0] / Z95)
 
 
 def probability(curve, speed, z, z_beta=0):
@@ -74,8 +82,8 @@ def probability(curve, speed, z, z_beta=0):
     x^2 / (2 runs) with x standard normal, whose |x| has the quantile of z at (1 + Phi(z)) / 2.
     """
     if not curve["theta"]:
-        half = statistics.NormalDist().cdf(z) / 2 + 0.5
-        return min(1, statistics.NormalDist().inv_cdf(min(half, 1 - 1e-12)) ** 2 / (2 * float(curve["runs"])))
+        half = NORMAL.cdf(z) / 2 + 0.5
+        return min(1, NORMAL.inv_cdf(min(half, 1 - 1e-12)) ** 2 / (2 * float(curve["runs"])))
     theta, beta = spread(curve, "theta", -z), spread(curve, "beta", z_beta)
     return 0.5 * math.erfc(-math.log(speed / theta) / beta / math.sqrt(2))
 
@@ -185,13 +193,20 @@ def curves_of(tables):
     return result
 
 
-def rows(tables, path=CONSEQUENCES, only=lambda *_: True):
+def rows_of(task):
+    item, floor, place, curves, speeds, path = task
     of = consequences(path)
-    for (item, floor, place), curves in curves_of(tables).items():
-        for speed in SPEEDS:
-            if only(item, floor, place, speed):
-                yield {"item": item, "floor": floor, "place": place} | row_of(
-                    curves, lambda quantity: of(item, quantity), speed, f"{item} {floor} {place} {speed}")
+    return [{"item": item, "floor": floor, "place": place} |
+            row_of(curves, lambda quantity: of(item, quantity), speed, f"{item} {floor} {place} {speed}")
+            for speed in speeds]
+
+
+def rows(tables, path=CONSEQUENCES, only=lambda *_: True):
+    tasks = [(*where, curves, [speed for speed in SPEEDS if only(*where, speed)], path)
+             for where, curves in curves_of(tables).items()]
+    with ProcessPoolExecutor() as pool:
+        for found in pool.map(rows_of, [task for task in tasks if task[4]]):
+            yield from found
 
 
 def main():

@@ -4,8 +4,9 @@ usage: pages.py GURNEY RESULTS TABLES PAGES
        pages.py --texts GURNEY TABLES PAGES
        pages.py --check GURNEY TABLES PAGES
 
-PAGES gets items.md (the overview), a page for each item, checks.md and tethers.md, and figures of the items; with --texts no figures, which need the
-results of all runs. --check writes nothing and ends with 1 where the texts of the pages are not those of the tables.
+PAGES gets items.md and overview.html, a page for each item, checks.md and tethers.md, and figures of the items; with
+--texts no figures, which need the results of all runs. --check writes nothing and ends with 1 where the texts of the
+pages are not those of the tables.
 """
 
 import json
@@ -14,13 +15,15 @@ import subprocess
 import sys
 
 import checks
+import overview
 from advice import ACTIONS, FLOOR, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, days, interval_words, percent
 from catalogue import VARIANCE, sheet_of
-from losses import SETTINGS, SPEEDS
+from losses import SETTINGS
 from tables import FURTHER, much_better
 from words import read, wrapped
 
 WHERE = (FLOOR, PLACE)  # of the overview
+MAPPED = (0.4, 0.8, 1.2)  # [m/s] of the speeds of losses.csv
 MOVED = ["moved 0.1 m", "moved 0.3 m", "moved 1 m"]
 HIT = ["hit at 0.4 m/s", "hit at 0.8 m/s"]
 SHOWN = 0.05  # of p, adjusted for the number of constants
@@ -60,7 +63,7 @@ def decisions(advice, names):
     return lines
 
 
-def overview(advice, names):
+def loss_of_all(advice, names):
     lines = ["| item | days, brakes off | on | locked | lost [%], off | on | locked | |",
              "| --- | --- | --- | --- | --- | --- | --- | --- |"]
     for item, name in names.items():
@@ -72,10 +75,10 @@ def overview(advice, names):
 
 def action_map(advice, floors, names, place):
     """The setting with the least loss, by floor and level."""
-    columns = [f"{floor.removesuffix(' building')} {speed}" for floor in floors for speed in SPEEDS]
+    columns = [f"{floor.removesuffix(' building')} {speed}" for floor in floors for speed in MAPPED]
     lines = ["| item | " + " | ".join(columns) + " |", "| --- " * (1 + len(columns)) + "|"]
     for item, name in names.items():
-        marks = (advice.mark(item, floor=floor, place=place, speed=speed) for floor in floors for speed in SPEEDS)
+        marks = (advice.mark(item, floor=floor, place=place, speed=speed) for floor in floors for speed in MAPPED)
         lines.append(f"| [{name}]({item}.md) | " + " | ".join(marks) + " |")
     return lines
 
@@ -111,12 +114,14 @@ def overview_page(advice, names, floors):
             *wrapped("The action with the least expected time out of use at a peak floor velocity of "
                      f"{SPEED} m/s, upstairs in a flexible building, on an open floor, from {MOTION_COUNT} motions "
                      f"([rule](methods.md#what-to-do)). {CAUTION}"), "",
+            *wrapped("**[Choose](overview.html)** floor, place, velocity and how many you have: a page of its own, which needs "
+                     "no network."), "",
             *decisions(advice, names), "",
             *wrapped("Straps keep more items in service, and throw them against the wall: [what they do](tethers.md). "
                      "What a fall or a torn line costs is an assumption with a range (`equipment/consequences.toml`): "
                      "put in what they cost you ([how](methods.md#what-to-do))."), "",
             "Days out of use and chance that its service is lost, with intervals of 95 %:", "",
-            *overview(advice, names), "",
+            *loss_of_all(advice, names), "",
             "## By floor and level", "",
             *wrapped("Floor and peak floor velocity [m/s]: the brakes with the least loss (off, on, locked: on with locked "
                      "swivels); `?`: not settled; `+`: its service is lost in more "
@@ -125,22 +130,12 @@ def overview_page(advice, names, floors):
             "Bay, with walls behind and beside it:", "", *action_map(advice, floors, names, "bay"), ""]
 
 
-def overturned_cell(rows):
-    """On an open floor an item hits only the floor, when it overturns: hits are stated where they differ from that."""
-    overturned = cell(rows["overturned"])
-    hits = [f"{limit}: {cell(rows[limit])}" for limit in HIT if cell(rows[limit]) != overturned]
-    return "; ".join([overturned] + hits)
-
-
 def item_table(catalogue, item, place):
     limits = MOVED + (HIT if place == "bay" else []) + ["overturned"]
     lines = ["| floor | brakes | " + " | ".join(limits) + " |", "| --- " * (2 + len(limits)) + "|"]
     for floor in catalogue.floors:
         for brakes in SETTINGS:
-            rows = {limit: catalogue.rows[item, floor, place, brakes, limit] for limit in MOVED + HIT + ["overturned"]}
-            cells = [cell(rows[limit]) for limit in limits]
-            if place == "open":
-                cells[-1] = overturned_cell(rows)
+            cells = [cell(catalogue.rows[item, floor, place, brakes, limit]) for limit in limits]
             mark = "†" if much_better(catalogue.measure_of[item, floor, place, brakes]) else ""
             lines.append(f"| {floor.removesuffix(' building')} | {brakes}{mark} | " + " | ".join(cells) + " |")
     return lines
@@ -250,10 +245,12 @@ def texts(gurney, tables):
     catalogue, advice = Catalogue(tables), Advice(tables)
     sheets = {item: sheet_of(gurney, item) for item in catalogue.items}
     pages = {item + ".md": item_page(catalogue, advice, item, sheet) for item, sheet in sheets.items()}
-    pages["items.md"] = overview_page(advice, {item: sheet["name"] for item, sheet in sheets.items()}, catalogue.floors)
+    names = {item: sheet["name"] for item, sheet in sheets.items()}
+    pages["items.md"] = overview_page(advice, names, catalogue.floors)
     pages["checks.md"] = checks.page(tables)
-    pages["tethers.md"] = tethers_page(read(tables, "tethers.csv"), {i: sheet["name"] for i, sheet in sheets.items()})
-    return {name: "\n".join(lines) for name, lines in pages.items()}
+    pages["tethers.md"] = tethers_page(read(tables, "tethers.csv"), names)
+    return {name: "\n".join(lines) for name, lines in pages.items()} | {
+        "overview.html": overview.page(tables, advice, names)}
 
 
 def stale(gurney, tables, folder):
@@ -272,7 +269,7 @@ def main():
     gurney, tables, pages = arguments[0], *arguments[-2:]
     os.makedirs(os.path.join(pages, "images"), exist_ok=True)
     for name, text in texts(gurney, tables).items():
-        if not mode and name not in ("items.md", "checks.md", "tethers.md"):
+        if not mode and name not in ("items.md", "checks.md", "tethers.md", "overview.html"):
             figures(gurney, name.removesuffix(".md"), arguments[1], os.path.join(pages, "images"))
         with open(os.path.join(pages, name), "w", encoding="utf-8") as file:
             file.write(text)

@@ -2,8 +2,7 @@
 
 usage: runs.py RESULTS TABLES
 
-RESULTS is a folder of catalogue.py. TABLES gets runs.csv (a row for each item: runs that overturned, failed, and that end
-where they overturned) and floors.csv (a row for each floor and level: peaks of the floor, and in how many motions the
+RESULTS is a folder of catalogue.py. TABLES gets runs.csv (a row for each item: how many overturned and failed) and floors.csv (a row for each floor and level: peaks of the floor, and in how many motions the
 building is beyond what its model is good for).
 """
 
@@ -16,10 +15,10 @@ import numpy
 
 from tables import number, write_csv
 
-RUNS = ["item", "runs", "overturned", "failed", "failed_runs", "ended", "ended_runs"]
+RUNS = ["item", "runs", "overturned", "failed", "failed_runs"]
 FLOORS = ["floor", "pgv", "motions", "pfv", "pfv_p16", "pfv_p84", "pfa_g", "pfa_p16_g", "pfa_p84_g", "beyond_drift",
           "beyond_capacity"]
-ENDED, DRIFT, CAPACITY = b"ends where it overturned", b"peak storey drift", b"isolators: peak displacement"
+DRIFT, CAPACITY = b"peak storey drift", b"isolators: peak displacement"
 
 
 def warned(file, beginning):
@@ -28,16 +27,12 @@ def warned(file, beginning):
             if text.startswith(beginning)}
 
 
-def listed(runs):
-    return " ".join(str(run) for run in sorted(runs))
-
-
 def run_row(item, path):
     with h5py.File(path) as file:
         outcome = file["runs/outcome"][:]
-        failed, ended = {int(run) for run in file["failures/run"][:]}, warned(file, ENDED)
+        failed = sorted(int(run) for run in file["failures/run"][:])
     return {"item": item, "runs": len(outcome), "overturned": int((outcome == b"overturned").sum()),
-            "failed": len(failed), "failed_runs": listed(failed), "ended": len(ended), "ended_runs": listed(ended)}
+            "failed": len(failed), "failed_runs": " ".join(map(str, failed))}
 
 
 def quantiles(name, values, unit=""):

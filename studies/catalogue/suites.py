@@ -14,12 +14,13 @@ import sys
 from tables import number, write_csv
 
 KEY = ("item", "floor", "place", "brakes", "limit_state")
+LOOSE = ("extrapolated", "leave theta and beta uncertain")  # cautions of a median that may be anywhere
 
 
 def curves(folder):
     with open(os.path.join(folder, "fragility.csv"), newline="") as file:
         return {tuple(row[k] for k in KEY): row for row in csv.DictReader(file)
-                if row["measure"] == "pfv" and row["theta"]}
+                if row["measure"] == "pfv" and row["theta"] and not any(words in row["cautions"] for words in LOOSE)}
 
 
 def within(value, row):

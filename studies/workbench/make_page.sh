@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The page: one file with its engine, its scripts and the player of studies/playback inside.
+# The page: one file with its engine, its scripts, the player of studies/playback and the overview of the fragility
+# catalogue inside.
 # usage: make_page.sh gurney.wasm workbench.html
 set -euo pipefail
 here=$(dirname "$0")
@@ -21,9 +22,11 @@ filled() {
 cat "$player"/{vectors,recording,meshes,shaders,renderer,camera,room,graph,widgets,saving,player}.js > "$folder/player.js"
 filled '/*STYLE*/' "$player/playback.css" < "$player/page.html" |
   filled '/*SCRIPT*/' "$folder/player.js" | base64 > "$folder/playback"
-gzip -9 --no-name --stdout "$1" | base64 > "$folder/engine"
+for each in engine="$1" overview="$here/../../docs/catalogue/overview.html"; do
+  gzip -9 --no-name --stdout "${each#*=}" | base64 > "$folder/${each%%=*}"
+done
 cat "$here"/{host,worker}.js > "$folder/worker.js"
 cat "$here"/{engines,jobtext,textpane,plan,itemeditor,prevented,page}.js > "$folder/page.js"
 filled '/*STYLE*/' "$here/workbench.css" < "$here/page.html" | filled '/*ENGINE*/' "$folder/engine" |
-  filled '/*PLAYBACK*/' "$folder/playback" | filled '/*WORKER*/' "$folder/worker.js" |
+  filled '/*PLAYBACK*/' "$folder/playback" | filled '/*OVERVIEW*/' "$folder/overview" | filled '/*WORKER*/' "$folder/worker.js" |
   filled '/*SCRIPT*/' "$folder/page.js" > "$2"

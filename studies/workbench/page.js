@@ -198,7 +198,8 @@ class Workbench {
     element('many').addEventListener('click', () => this.many());
     element('download').addEventListener('click', () => download('job.toml', this.text));
     element('edit').addEventListener('click', () => this.editItem());
-    element('item-back').addEventListener('click', () => this.turnTo('roompage'));
+    for (const id of ['item-back', 'overview-back']) element(id).addEventListener('click', () => this.turnTo('roompage'));
+    element('advise').addEventListener('click', () => this.advise());
     element('prevent').addEventListener('click', () => this.prevented.ask(this.ran, this.ranTree));
     this.connectFiles();
   }
@@ -216,8 +217,15 @@ class Workbench {
   }
 
   turnTo(page) {
-    for (const id of ['roompage', 'itempage']) element(id).hidden = id !== page;
+    for (const id of ['roompage', 'itempage', 'overviewpage']) element(id).hidden = id !== page;
     window.scrollTo(0, 0);
+  }
+
+  /// The overview of the fragility catalogue: what to brake, by floor, place and velocity.
+  async advise() {
+    this.turnTo('overviewpage');
+    const frame = element('overview');
+    if (!frame.srcdoc) frame.srcdoc = new TextDecoder().decode(await inflated(element('overview-text').textContent));
   }
 
   /// Opens the file of the chosen item. A shipped one gets another name.

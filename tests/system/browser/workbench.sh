@@ -2,7 +2,8 @@
 # The workbench in a real browser, with a person's hands: an item is dragged, moved and turned with keys; an
 # error of the job is shown at its line and goes; damaged records are refused, a good one is run; a run is kept
 # beside the next; a hundred runs give curves; demands are those of the program; an item is edited with pointer,
-# keys and as text, and stands in the room then; what would have prevented it is run, and taken over.
+# keys and as text, and stands in the room then; what would have prevented it is run, and taken over; the
+# overview of the catalogue opens and closes.
 # Skipped (77) without Chromium or the page.
 # usage: workbench.sh GURNEY SOURCE_FOLDER
 set -uo pipefail
@@ -137,6 +138,13 @@ cat > try.js << 'JS'
     found.item = good_item;
     found.errors_of_item = errors();
 
+    element('advise').click();
+    const advised = () => element('overview').contentDocument?.querySelectorAll('#items tr').length;
+    await until(advised);
+    found.advised = advised();
+    element('overview-back').click();
+    found.back = !element('roompage').hidden && element('overviewpage').hidden;
+
     element('prevent').click();
     await until(() => window.lastPrevented);
     found.prevented = window.lastPrevented.filter((row) => !row.error).length;
@@ -188,6 +196,8 @@ value item_error | grep -q "^line [0-9]*: .*nam" || complain "an error of the it
 [ -z "$(value errors_of_item)$(value errors_of_taking)" ] || complain "$(value errors_of_item) $(value errors_of_taking)"
 value item > edited.toml
 expect 0 "edited.toml: item 'ICU ventilator on cart' is valid" "$gurney" equipment check edited.toml
+[ "$(value advised)" -eq "$(($(wc -l < "$source/studies/catalogue/items.csv") - 1))" ] || complain "$(value advised) items in the overview"
+[ "$(value back)" = true ] || complain "the overview stays"
 [ "$(value prevented)" -gt 5 ] || complain "only $(value prevented) changes are run"
 value taken | grep -q "^Take over: " || complain "no change can be taken over"
 [ -s console ] && { cp console stdout; complain "the page logs"; }

@@ -83,13 +83,31 @@ def check_losses():
 
     shipped = {(row["item"], row["floor"], row["place"], row["pfv"]): row for row in read("losses.csv")}
     again = list(losses.rows(data, only=lambda item, floor, *_: (item, floor) == ("icu_bed", "flexible building")))
-    assert len(again) == 6
+    assert len(again) == 2 * len(losses.SPEEDS)
     for row in again:
         old = shipped[row["item"], row["floor"], row["place"], str(row["pfv"])]
         assert old == {key: str(value) for key, value in row.items()}, (old, row)
     states(f"{losses.SAMPLES} samples")
     states(f"less than {100 * losses.SETTLED:.0f} % of the samples")
     states(f"with a chance of more than {100 * advice.MOST_LOST:.0f} %")
+
+
+def check_dispersion():
+    import dispersion
+    row = {"theta": "0.8", "beta": "0.3", "beta_low": "", "beta_high": "inf", "runs": "128"}
+    assert dispersion.widened(row, 0.4) == row | {"beta": "0.5"}, dispersion.widened(row, 0.4)
+    assert dispersion.widened(row, 0) == row
+
+
+def check_judgements():
+    import judgements
+    published, in_part, judged = {"value": 1, "source": "a"}, {"value": 1, "source": "a", "assumption": "b"}, {
+        "value": 1, "assumption": "b", "distribution": {"value": 2, "assumption": "of the distribution"}}
+    file = {"mass": published, "shape": [{"size": in_part, "kind": "box"}], "variant": {"arm": {"mass": judged}},
+            "deep": {"deeper": judged}, "name": "x"}
+    assert [judgements.kind(each) for each in judgements.quantities(file)] == list(judgements.KINDS)
+    # A caster's file counts once, however many casters there are.
+    assert judgements.caster_types({"caster": [{"type": "b"}, {"type": {"value": "a"}}, {"type": "b"}]}) == ["a", "b"]
 
 
 def check_tethers():
@@ -143,10 +161,46 @@ def check_variance():
         assert abs(total - 1) < 0.016, row  # three roundings to 0.01
 
 
+def check_sufficiency():
+    import numpy
+    import sufficiency
+    random = numpy.random.default_rng(1)
+    motions, floors, levels = 32, 5, 4
+    shape = (motions, floors, levels)
+    motion, floor, _ = (index.ravel() for index in numpy.indices(shape))
+
+    def outcomes(shifts):
+        """Runs whose capacity is lognormal about 1 m/s, with a part that a motion has in common and one by floor."""
+        measure = 0.8 * random.standard_normal(shape)
+        common = 0.3 * random.standard_normal((motions, 1, 1))
+        capacity = common + 0.4 * random.standard_normal(shape) + numpy.array(shifts)[:, None]
+        return (measure > capacity).ravel().astype(float), measure.reshape(-1, 1)
+
+    # Floors alike: p is below 0.05 in one of 20; of 200 at most 22 in all but one of 10,000 (binomial).
+    alike = [sufficiency.sufficiency(*outcomes([0] * floors), floor, motion)[0] for _ in range(200)]
+    assert sum(p < 0.05 for p in alike) <= 22, sum(p < 0.05 for p in alike)
+    # One floor's median is 1.5 times that of the others; a median of 128 runs scatters by 0.06.
+    found = [sufficiency.sufficiency(*outcomes([0, 0, 0, 0, math.log(1.5)]), floor, motion) for _ in range(40)]
+    assert sum(p < 0.05 for p, _ in found) >= 36, found
+    assert 1.4 < statistics.median(ratio for _, ratio in found) < 1.75, found  # of five, the smallest is below 1
+    # A curve that is right on each floor is off by sampling alone, 0.5 / sqrt(128); one for two unlike floors by half
+    # of what they differ.
+    exceeds, measures = numpy.tile([1.0, 0, 0, 0], 10), numpy.zeros((40, 0))
+    _, off = sufficiency.pooled(exceeds, measures, numpy.repeat([0, 1], 20), numpy.arange(40) % 10)
+    assert abs(off) < 1e-9, off
+    exceeds = numpy.concatenate([numpy.tile([1.0, 0, 0, 0], 5), numpy.tile([1.0, 1, 1, 0], 5)])
+    coefficients, off = sufficiency.pooled(exceeds, measures, numpy.repeat([0, 1], 20), numpy.arange(40) % 10)
+    assert abs(off - 0.25) < 1e-9 and abs(coefficients[0]) < 1e-9, (off, coefficients)
+
+
 check_halves()
 check_suites()
 check_losses()
+check_dispersion()
+check_judgements()
 check_tethers()
 check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
     check_variance()
+if importlib.util.find_spec("statsmodels"):
+    check_sufficiency()
