@@ -3,12 +3,13 @@
 usage: dispersion.py TABLES OUTPUT DISPERSION
 
 OUTPUT gets fragility.csv of TABLES with sqrt(beta^2 + DISPERSION^2) in place of each beta and of the ends of its
-interval, and the libraries for pelicun and OpenQuake; losses.py and gurney hospital read it like that of TABLES.
+interval, above.csv, and the libraries for pelicun and OpenQuake; losses.py and gurney hospital read it like that of TABLES.
 docs/catalogue/methods.md says what DISPERSION may stand for.
 """
 
 import math
 import os
+import shutil
 import sys
 
 import libraries
@@ -37,6 +38,7 @@ def main():
     os.makedirs(output, exist_ok=True)
     write_csv(os.path.join(output, "fragility.csv"), COLUMNS,
               (widened(row, dispersion) for row in read(tables, "fragility.csv")))
+    shutil.copy(os.path.join(tables, "above.csv"), output)
     libraries.write(output)
 
 

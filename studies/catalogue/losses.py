@@ -2,7 +2,7 @@
 
 usage: losses.py TABLES [CONSEQUENCES]
 
-TABLES has fragility.csv and gets losses.csv; CONSEQUENCES (default: equipment/consequences.toml) says what follows
+TABLES has fragility.csv and above.csv, and gets losses.csv; CONSEQUENCES (default: equipment/consequences.toml) says what follows
 from each limit state. Docs: docs/catalogue/methods.md, What to do.
 """
 
@@ -23,6 +23,7 @@ CONSEQUENCES = os.path.join(HERE, "..", "..", "equipment", "consequences.toml")
 SETTINGS = tuple(BRAKES)
 SPEEDS = (0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5)  # [m/s] peak floor velocity
 SAMPLES = 400
+SUPPORTED = 10  # runs that exceed; the curve of fewer is bounded by what happens just above a velocity
 SETTLED = 0.9  # share of the samples in which an action has the least loss
 QUANTITIES = ("days", "cost_ratio")
 COLUMNS = ["item", "floor", "place", "pfv", *(f"{q}_{s}{end}" for q in (*QUANTITIES, "lost") for s in SETTINGS
@@ -78,14 +79,31 @@ def probability(curve, speed, z, z_beta=0):
     @param z       score of the uncertainty of its median, larger is likelier
     @param z_beta  and of its dispersion
 
-    Without a curve none of the runs exceeds. Jeffreys' prior then gives Beta(1/2, runs + 1/2): near 0 the chance is
+    A curve of few outcomes is bounded by monotony: of each motion the run just above the velocity. Without a curve none
+    of the runs exceeds. Jeffreys' prior then gives Beta(1/2, runs + 1/2): near 0 the chance is
     x^2 / (2 runs) with x standard normal, whose |x| has the quantile of z at (1 + Phi(z)) / 2.
     """
     if not curve["theta"]:
         half = NORMAL.cdf(z) / 2 + 0.5
         return min(1, NORMAL.inv_cdf(min(half, 1 - 1e-12)) ** 2 / (2 * float(curve["runs"])))
     theta, beta = spread(curve, "theta", -z), spread(curve, "beta", z_beta)
-    return 0.5 * math.erfc(-math.log(speed / theta) / beta / math.sqrt(2))
+    by_curve = 0.5 * math.erfc(-math.log(speed / theta) / beta / math.sqrt(2))
+    above = curve.get("above", {}).get(speed)
+    if int(curve["exceed"]) >= SUPPORTED or not above or above.endswith("/0"):
+        return by_curve
+    return min(by_curve, at_most(*map(int, above.split("/")), z))
+
+
+@functools.lru_cache(maxsize=None)
+def chances_of(exceed, motions):
+    """Ordered samples of a share by Jeffreys' prior."""
+    source = random.Random(f"{exceed} of {motions}")
+    return sorted(source.betavariate(exceed + 0.5, motions - exceed + 0.5) for _ in range(999))
+
+
+def at_most(exceed, motions, z):
+    """Chance at a normal score of which so many motions exceed just above the velocity."""
+    return chances_of(exceed, motions)[min(998, int(999 * NORMAL.cdf(z)))]
 
 
 def expected(values, chances):
@@ -183,13 +201,19 @@ def row_of(curves, of_item, speed, seed):
 
 
 def curves_of(tables):
-    """Curves on the peak floor velocity by item, floor and place, then by setting and limit state."""
-    result = {}
+    """Curves on the peak floor velocity by item, floor and place, then by setting and limit state; `above` has what
+    above.csv counts, where that is there."""
+    result, key, above = {}, ("item", "floor", "place", "brakes", "limit_state"), {}
+    if os.path.exists(os.path.join(tables, "above.csv")):
+        with open(os.path.join(tables, "above.csv"), newline="") as file:
+            above = {tuple(row[name] for name in key): {speed: row[str(speed)] for speed in SPEEDS}
+                     for row in csv.DictReader(file)}
     with open(os.path.join(tables, "fragility.csv"), newline="") as file:
         for row in csv.DictReader(file):
             if row["measure"] == "pfv":
                 of = result.setdefault((row["item"], row["floor"], row["place"]), {})
-                of.setdefault(row["brakes"], {})[row["limit_state"]] = row
+                counts = above.get(tuple(row[name] for name in key), {})
+                of.setdefault(row["brakes"], {})[row["limit_state"]] = row | {"above": counts}
     return result
 
 

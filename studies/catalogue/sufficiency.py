@@ -77,7 +77,8 @@ class Runs:
 
     def __init__(self, path):
         with h5py.File(path) as file:
-            self.items = {name: file["items"][name][:] for name in ("run", "peak_displacement", "time_of_overturning")}
+            self.items = {name: file["items"][name][:] for name in ("run", "peak_displacement",
+                                                                       "largest_approach_speed", "time_of_overturning")}
             run = self.items["run"]
             settings = numpy.array([setting_of(text(name)) for name in file["configurations/name"][:]])
             self.floor, self.place, self.brakes = settings[file["runs/configuration"][:][run]].T

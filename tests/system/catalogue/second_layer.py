@@ -64,12 +64,19 @@ def check_losses():
     assert math.isclose(losses.expected(values, chances), 30 * 0.1 + 0.1 * 0.2), losses.expected(values, chances)
     # A rarer milder state adds nothing.
     assert losses.expected(values, chances | {"moved 1 m": 0.05}) == 3
-    one = {"theta": "0.8", "theta_low": "0.4", "theta_high": "1.6", "beta": "0.5", "beta_low": "", "beta_high": "inf"}
+    one = {"exceed": "64", "theta": "0.8", "theta_low": "0.4", "theta_high": "1.6", "beta": "0.5", "beta_low": "", "beta_high": "inf"}
     assert losses.probability(one, 0.8, 0) == 0.5
     # At the score of its upper end the median is 0.4: ln 2 / 0.5 deviations below.
     upper = statistics.NormalDist().cdf(math.log(2) / 0.5)
     assert math.isclose(losses.probability(one, 0.8, losses.Z95), upper), losses.probability(one, 0.8, losses.Z95)
     assert math.isclose(losses.probability(one | {"theta_high": "inf"}, 0.8, -losses.Z95), 1 - upper)
+    # A curve of few outcomes is bounded by the motions just above: none of 32, 16 of 32. Medians of Beta(1/2, 65/2),
+    # about 0.2275 / 32 (chi-squared), and 1/2; of 999 samples, each within five deviations of a sampled median.
+    few = one | {"exceed": "2", "above": {0.8: "0/32"}}
+    assert abs(losses.probability(few, 0.8, 0) - 0.2275 / 32.25) < 5 * 0.011 / math.sqrt(999) * 1.3, few
+    assert losses.probability(few | {"exceed": "64"}, 0.8, 0) == 0.5
+    assert abs(losses.probability(few | {"theta": "0.1", "above": {0.8: "16/32"}}, 0.8, 0) - 0.5) < 5 * 0.087 / math.sqrt(999) * 1.3
+    assert losses.probability(few | {"theta": "80"}, 0.8, 0) < 1e-12  # the curve is below the bound
     # Median of Beta(1/2, n + 1/2) near 0: that of a chi-squared of one degree over 2 n.
     assert math.isclose(losses.probability({"theta": "", "runs": "128"}, 0.8, 0), 0.45494 / 256, rel_tol=1e-4)
     assert losses.within((0, 0.1, 1), 0.5) == 0.1 and losses.within((0, 0.1, 1), 1) == 1
@@ -161,6 +168,28 @@ def check_variance():
         assert abs(total - 1) < 0.016, row  # three roundings to 0.01
 
 
+def check_above():
+    import above
+    import numpy
+    # Two motions at two levels each, and one that is nowhere above.
+    motion, speeds = numpy.array([0, 1, 0, 1, 2]), numpy.array([0.5, 2.0, 1.5, 0.7, 0.1])
+    assert above.nearest_above(motion, speeds, 0.6).tolist() == [2, 3]
+    assert above.nearest_above(motion, speeds, 1).tolist() == [2, 1]
+    assert above.nearest_above(motion, speeds, 1.8).tolist() == [1]
+    # What is counted above the lowest velocity is no more than what the curve's table counts of all runs.
+    curves = {tuple(row[k] for k in ("item", "floor", "place", "brakes", "limit_state")): row
+              for row in read("fragility.csv") if row["measure"] == "pfv"}
+    for row in read("above.csv"):
+        of = curves[tuple(row[k] for k in ("item", "floor", "place", "brakes", "limit_state"))]
+        shares = [tuple(map(int, row[str(speed)].split("/"))) for speed in losses_speeds()]
+        assert all(k <= min(n, int(of["exceed"])) and n <= 32 for k, n in shares), row
+
+
+def losses_speeds():
+    import losses
+    return losses.SPEEDS
+
+
 def check_sufficiency():
     import numpy
     import sufficiency
@@ -203,4 +232,5 @@ check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
     check_variance()
 if importlib.util.find_spec("statsmodels"):
+    check_above()
     check_sufficiency()

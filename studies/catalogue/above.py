@@ -1,0 +1,59 @@
+"""Counts for each curve, at each velocity of losses.csv, how many motions exceed just above it.
+
+usage: above.py RESULTS TABLES
+
+RESULTS is a folder of catalogue.py. TABLES gets above.csv: of each motion the run of the lowest peak floor velocity at or
+above the stated one; how many exceed, of how many. As a stronger shaking is no safer, the chance at the velocity is at
+most that of these runs (docs/catalogue/methods.md, Uncertainty).
+"""
+
+import glob
+import os
+import sys
+
+import numpy
+
+from losses import SPEEDS
+from sufficiency import Runs, overturned
+from tables import write_csv
+
+EXCEEDS = {
+    "moved 0.1 m": lambda items: (items["peak_displacement"] > 0.1) | overturned(items),
+    "moved 0.3 m": lambda items: (items["peak_displacement"] > 0.3) | overturned(items),
+    "moved 1 m": lambda items: (items["peak_displacement"] > 1) | overturned(items),
+    "hit at 0.4 m/s": lambda items: items["largest_approach_speed"] > 0.4,
+    "hit at 0.8 m/s": lambda items: items["largest_approach_speed"] > 0.8,
+    "overturned": overturned,
+}
+
+
+def nearest_above(motion, speeds, speed):
+    """Of each motion that has a run at `speed` or above, the index of its lowest one."""
+    order = numpy.argsort(speeds, kind="stable")
+    order = order[speeds[order] >= speed]
+    return order[numpy.unique(motion[order], return_index=True)[1]]
+
+
+def rows(item, runs):
+    settings = numpy.stack([runs.floor, runs.place, runs.brakes])
+    speeds = numpy.exp(runs.measures["pfv"])
+    of = {state: exceeds(runs.items) for state, exceeds in EXCEEDS.items()}
+    for floor, place, brakes in dict.fromkeys(map(tuple, settings.T)):
+        own = numpy.flatnonzero((settings == numpy.array([[floor], [place], [brakes]])).all(axis=0))
+        chosen = {speed: own[nearest_above(runs.motion[own], speeds[own], speed)] for speed in SPEEDS}
+        for state, exceeds in of.items():
+            yield {"item": item, "floor": floor, "place": place, "brakes": brakes, "limit_state": state} | {
+                speed: f"{int(exceeds[runs_of].sum())}/{len(runs_of)}" for speed, runs_of in chosen.items()}
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    results, tables = sys.argv[1:]
+    write_csv(os.path.join(tables, "above.csv"), ["item", "floor", "place", "brakes", "limit_state", *SPEEDS],
+              [row for path in sorted(glob.glob(os.path.join(results, "*.h5")))
+               for row in rows(os.path.basename(path)[:-3], Runs(path))])
+
+
+if __name__ == "__main__":
+    main()
