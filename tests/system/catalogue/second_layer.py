@@ -206,7 +206,7 @@ def check_sufficiency():
         return (measure > capacity).ravel().astype(float), measure.reshape(-1, 1)
 
     # Floors alike: p is below 0.05 in one of 20; of 200 at most 22 in all but one of 10,000 (binomial).
-    alike = [sufficiency.sufficiency(*outcomes([0] * floors), floor, motion)[0] for _ in range(200)]
+    alike = [sufficiency.sufficiency(*outcomes([0.5] * floors), floor, motion)[0] for _ in range(200)]
     assert sum(p < 0.05 for p in alike) <= 22, sum(p < 0.05 for p in alike)
     # One floor's median is 1.5 times that of the others; a median of 128 runs scatters by 0.06.
     found = [sufficiency.sufficiency(*outcomes([0, 0, 0, 0, math.log(1.5)]), floor, motion) for _ in range(40)]
