@@ -167,7 +167,8 @@ def shares(tables):
 
     return ["## Record, parameters, chaos", "",
             *wrapped("Shares of the variance at a PGV of 0.8 m/s, flexible building, open floor ([method](methods.md#record-"
-                     "parameters-chaos); `variance.csv` has each with its interval), medians of the items:"), "",
+                     "parameters-chaos); `variance.csv` has each with its interval), medians of the items. These runs are older than the curves, and follow "
+                     "what overturns:"), "",
             *table(["brakes", "displacement: record", "parameters", "chaos", "overturned: record", "parameters", "chaos"],
                    map(cells, BRAKES)), "",
             *constants(tables)]
