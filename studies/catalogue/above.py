@@ -14,18 +14,8 @@ import sys
 import numpy
 
 from losses import SPEEDS
-from sufficiency import Runs, overturned
+from sufficiency import EXCEEDS, Runs
 from tables import write_csv
-
-EXCEEDS = {
-    "moved 0.1 m": lambda items: (items["peak_displacement"] > 0.1) | overturned(items),
-    "moved 0.3 m": lambda items: (items["peak_displacement"] > 0.3) | overturned(items),
-    "moved 1 m": lambda items: (items["peak_displacement"] > 1) | overturned(items),
-    "hit at 0.4 m/s": lambda items: items["largest_approach_speed"] > 0.4,
-    "hit at 0.8 m/s": lambda items: items["largest_approach_speed"] > 0.8,
-    "overturned": overturned,
-}
-
 
 def nearest_above(motion, speeds, speed):
     """Of each motion that has a run at `speed` or above, the index of its lowest one."""

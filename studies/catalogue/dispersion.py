@@ -18,7 +18,7 @@ from words import read
 
 
 def widened(row, dispersion):
-    """A row of fragility.csv; medians stay (FEMA P-58-1, 2018, section 5.2.6: dispersions of independent causes)."""
+    """A row of fragility.csv; medians stay, dispersions of independent causes add by their squares."""
     return row | {name: number(math.hypot(float(row[name]), dispersion)) for name in ("beta", "beta_low", "beta_high")
                   if row[name] not in ("", "inf")}
 

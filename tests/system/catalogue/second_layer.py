@@ -70,12 +70,20 @@ def check_losses():
     upper = statistics.NormalDist().cdf(math.log(2) / 0.5)
     assert math.isclose(losses.probability(one, 0.8, losses.Z95), upper), losses.probability(one, 0.8, losses.Z95)
     assert math.isclose(losses.probability(one | {"theta_high": "inf"}, 0.8, -losses.Z95), 1 - upper)
-    # A curve of few outcomes is bounded by the motions just above: none of 32, 16 of 32. Medians of Beta(1/2, 65/2),
-    # about 0.2275 / 32 (chi-squared), and 1/2; of 999 samples, each within five deviations of a sampled median.
+    # A curve of few outcomes is bounded by the motions just above: none of 32, 16 of 32. The medians of Beta(1/2, 65/2)
+    # (that of a chi-squared of one degree over 2 x 32, to 2 %) and Beta(33/2, 33/2); a median of 999 samples scatters by
+    # 1 / (2 density sqrt(999)), and five times that is allowed.
     few = one | {"exceed": "2", "above": {0.8: "0/32"}}
-    assert abs(losses.probability(few, 0.8, 0) - 0.2275 / 32.25) < 5 * 0.011 / math.sqrt(999) * 1.3, few
+
+    def scatter(a, b, at):
+        density = math.gamma(a + b) / math.gamma(a) / math.gamma(b) * at ** (a - 1) * (1 - at) ** (b - 1)
+        return 1 / (2 * density * math.sqrt(999))
+
+    low = 0.45494 / 64
+    assert abs(losses.probability(few, 0.8, 0) - low) < 5 * scatter(0.5, 32.5, low) + 0.02 * low
+    half = losses.probability(few | {"theta": "0.1", "above": {0.8: "16/32"}}, 0.8, 0)
+    assert abs(half - 0.5) < 5 * scatter(16.5, 16.5, 0.5), half
     assert losses.probability(few | {"exceed": "64"}, 0.8, 0) == 0.5
-    assert abs(losses.probability(few | {"theta": "0.1", "above": {0.8: "16/32"}}, 0.8, 0) - 0.5) < 5 * 0.087 / math.sqrt(999) * 1.3
     assert losses.probability(few | {"theta": "80"}, 0.8, 0) < 1e-12  # the curve is below the bound
     # Median of Beta(1/2, n + 1/2) near 0: that of a chi-squared of one degree over 2 n.
     assert math.isclose(losses.probability({"theta": "", "runs": "128"}, 0.8, 0), 0.45494 / 256, rel_tol=1e-4)
@@ -181,13 +189,8 @@ def check_above():
               for row in read("fragility.csv") if row["measure"] == "pfv"}
     for row in read("above.csv"):
         of = curves[tuple(row[k] for k in ("item", "floor", "place", "brakes", "limit_state"))]
-        shares = [tuple(map(int, row[str(speed)].split("/"))) for speed in losses_speeds()]
+        shares = [tuple(map(int, row[str(speed)].split("/"))) for speed in above.SPEEDS]
         assert all(k <= min(n, int(of["exceed"])) and n <= 32 for k, n in shares), row
-
-
-def losses_speeds():
-    import losses
-    return losses.SPEEDS
 
 
 def check_sufficiency():
