@@ -46,6 +46,8 @@ def check(site):
     for path, page in pages.items():
         for link in page.links + page.loads:
             parts = urllib.parse.urlsplit(link)
+            if parts.scheme == "data":  # within the page itself
+                continue
             if parts.scheme or parts.netloc:
                 if link in page.loads:
                     bad.append((path, link, "loaded from the network"))
