@@ -167,8 +167,7 @@ def shares(tables):
 
     return ["## Record, parameters, chaos", "",
             *wrapped("Shares of the variance at a PGV of 0.8 m/s, flexible building, open floor ([method](methods.md#record-"
-                     "parameters-chaos); `variance.csv` has each with its interval), medians of the items. These runs are older than the curves, and follow "
-                     "what overturns:"), "",
+                     "parameters-chaos); `variance.csv` has each with its interval), medians of the items:"), "",
             *table(["brakes", "displacement: record", "parameters", "chaos", "overturned: record", "parameters", "chaos"],
                    map(cells, BRAKES)), "",
             *constants(tables)]
