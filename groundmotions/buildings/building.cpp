@@ -192,10 +192,11 @@ Eigen::VectorXd read_each(Table& in, const std::string& key, const Range& range,
 
 /// Floors that twist where the table `torsion` has an eccentricity.
 /// @param twisting  its mass and stiffness are those of the building
-void read_torsion(Table& table, TorsionalBuilding twisting, const Damper& damper,
-                  Building& building) {
+/// @returns all of it, where the table is there and right
+std::optional<TorsionalBuilding> read_torsion(Table& table, TorsionalBuilding twisting,
+                                              const Damper& damper, Building& building) {
   auto in = table.table("torsion");
-  if (!in) return;
+  if (!in) return std::nullopt;
   const std::size_t before = table.document().errors();
   for (const char* other : {"modes", "isolation", "floor_rotation"})
     exclude(table, other, "torsion");
@@ -206,14 +207,33 @@ void read_torsion(Table& table, TorsionalBuilding twisting, const Damper& damper
   twisting.eccentricity.row(1) = read_each(*in, "eccentricity_h2_m", far, floors, 0.0).transpose();
   twisting.gyration = in->number("radius_of_gyration_m", Range::positive());
   twisting.frequency_ratio = in->number("frequency_ratio", ratio);
-  if (table.document().errors() > before || twisting.mass.size() != floors ||
-      twisting.eccentricity.isZero(0))
-    return;
+  if (table.document().errors() > before || twisting.mass.size() != floors) return std::nullopt;
+  if (twisting.eccentricity.isZero(0)) return twisting;
   building.torsion = torsion_modes(twisting);
   damper.apply(table, building.torsion);
+  return twisting;
 }
 
-/// Storey by storey, from stiffnesses or from a period and a taper.
+/// Columns of storeys that yield below floors that twist: b from Omega^2 r^2 K_x = K_x b^2 + K_y a^2.
+/// @param elastic  modes of the building
+YieldingTwist read_columns(Table& in, const TorsionalBuilding& building,
+                           const std::array<Eigen::VectorXd, 2>& stiffness,
+                           const std::vector<TorsionMode>& elastic) {
+  const double square = std::pow(building.frequency_ratio * building.gyration, 2);
+  const Eigen::ArrayXd ratio = stiffness[1].array() / stiffness[0].array();
+  Eigen::ArrayXd a = (square / (1 + ratio)).sqrt();  // b = a
+  if (in.has("column_distance_h1_m"))
+    a.setConstant(
+        in.number("column_distance_h1_m", Range::within(0, std::sqrt(square / ratio.maxCoeff()))));
+  YieldingTwist twist{building.eccentricity, building.gyration, Eigen::Matrix2Xd(2, a.size()),
+                      Eigen::VectorXd(static_cast<Eigen::Index>(elastic.size()))};
+  twist.columns.row(0) = a.transpose();
+  twist.columns.row(1) = (square - ratio * a.square()).max(0.0).sqrt().transpose();
+  for (std::size_t k = 0; k < elastic.size(); ++k)
+    twist.damping[static_cast<Eigen::Index>(k)] = elastic[k].damping;
+  return twist;
+}
+
 /// @param building  its height and its storeys that yield are set where the table has them
 std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
   const int storeys = building.storeys;
@@ -247,17 +267,23 @@ std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
     }
     if (!damper.apply(table, axes[i])) return axes;
   }
-  read_torsion(table,
-               {.mass = vector(mass),
-                .stiffness = {shear_stiffness(stiffness[0]), shear_stiffness(stiffness[1])}},
-               damper, building);
+  const std::optional<TorsionalBuilding> twisting =
+      read_torsion(table,
+                   {.mass = vector(mass),
+                    .stiffness = {shear_stiffness(stiffness[0]), shear_stiffness(stiffness[1])}},
+                   damper, building);
   if (auto yield = table.table("yield")) {
     exclude(table, "modes", "yield; storeys that yield have no modes");
-    exclude(table, "torsion", "yield: storeys that yield do not twist");
     exclude(table, "isolation", "yield: what stands on isolators is elastic");
     exclude(table, "floor_rotation", "yield: floors of storeys in shear stay level");
+    if (!table.has("torsion"))
+      exclude(*yield, "column_distance_h1_m", "storeys that do not twist: it goes with torsion");
     if (axes[1].size() == count)
       building.yielding = read_yield(*yield, vector(mass), stiffness, axes, building.height);
+    if (building.yielding && twisting) {
+      YieldingTwist columns = read_columns(*yield, *twisting, stiffness, building.torsion);
+      if (!building.torsion.empty()) building.yielding->twist = std::move(columns);
+    }
   }
   return axes;
 }

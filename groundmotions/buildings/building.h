@@ -22,11 +22,11 @@ struct Building {
   std::array<ModalAxis, 3> axes;       ///< indexed by Direction; without modes: rigid
   std::optional<Isolation> isolation;  ///< below floor 0; empty: floor 0 is the ground
   std::optional<double> height;        ///< of the roof above the base, where stated [m]
-  /// Storeys that yield instead of the horizontal modes, which are then those of the elastic building;
-  /// without isolation and floor rotation, of stated height.
+  /// Storeys that yield instead of the horizontal modes and those that twist, which are then of the
+  /// elastic building; without isolation and floor rotation, of stated height.
   std::optional<YieldingStoreys> yielding = {};
   /// Modes of floors that twist instead of the horizontal modes, which are then those without
-  /// eccentricity; without isolation, floor rotation and storeys that yield. Empty: floors do not twist.
+  /// eccentricity; without isolation and floor rotation. Empty: floors do not twist.
   std::vector<TorsionMode> torsion = {};
   /// Motions of its floors from another program instead of all of the above; floors are then those
   /// that it names, and `storeys` the number of the last.

@@ -269,7 +269,7 @@ struct YieldingHistory {
 };
 
 YieldingHistory run_yielding(const Ground& ground, const Building& building, int floor,
-                             double time_step, double window, int substeps) {
+                             const Vector2& place, double time_step, double window, int substeps) {
   const YieldingStoreys& storeys = *building.yielding;
   YieldingMotion motion(storeys, time_step / substeps);
   ModalResponse vertical(building[Direction::kVertical], floor, time_step);
@@ -281,18 +281,21 @@ YieldingHistory run_yielding(const Ground& ground, const Building& building, int
     const Vector2 slope = (ground1 - ground0).head<2>() / substeps;
     for (int i = 0; i < substeps; ++i)
       motion.step(ground0.head<2>() + i * slope, ground0.head<2>() + (i + 1) * slope);
-    const Eigen::VectorXd drift = motion.drift().colwise().norm().transpose();
+    const Eigen::VectorXd drift = motion.column_drift();
     found.ductility = found.ductility.cwiseMax(drift.cwiseQuotient(storeys.yield_drift));
     largest_input = std::max(largest_input, std::abs(motion.energy().input));
     largest_closure = std::max(largest_closure, std::abs(motion.energy().closure()));
-    const Vector2 level = floor > 0 ? motion.floor_acceleration(floor) : Vector2(ground1.head<2>());
+    const Vector3 level =
+        floor > 0 ? motion.floor_acceleration(floor, place) : Vector3(ground1.x(), ground1.y(), 0);
     return FloorSample{
         .acceleration = {level.x(), level.y(), vertical.step(ground0.z(), ground1.z())},
-        .drift = drift.maxCoeff()};
+        .drift = drift.maxCoeff(),
+        .yaw = motion.yaw(floor),
+        .yaw_acceleration = level.z()};
   };
   const FloorSample first{Vector3(0, 0, vertical.at_rest(ground.at(0).z()))};
   result.history = run(ground, time_step, window, first, step);
-  found.residual_drift = motion.drift().colwise().norm().transpose();
+  found.residual_drift = motion.column_drift();
   found.energy = motion.energy();
   found.energy_error = largest_input > 0 ? largest_closure / largest_input : 0;
   found.time_step = time_step / substeps;
@@ -375,11 +378,11 @@ IsolatedHistory solve_isolated(const Ground& ground, const Building& building, i
 }
 
 YieldingHistory solve_yielding(const Ground& ground, const Building& building, int floor,
-                               double time_step, double window) {
+                               const Vector2& place, double time_step, double window) {
   return halved(
       ground, building, time_step, time_step, "storeys",
       [&](int substeps) {
-        return run_yielding(ground, building, floor, time_step, window, substeps);
+        return run_yielding(ground, building, floor, place, time_step, window, substeps);
       },
       &YieldingHistory::storeys);
 }
@@ -456,7 +459,8 @@ std::string description(const Building& building, int floor) {
       "{}, vertical {})",
       floor, building.name, building.storeys,
       building.isolation          ? building.isolation->name + " isolation"
-      : building.yielding         ? "fixed base, storeys yield"
+      : building.yielding         ? building.torsion.empty() ? "fixed base, storeys yield"
+                                                             : "fixed base, storeys yield and twist"
       : !building.torsion.empty() ? "fixed base, floors twist"
                                   : "fixed base",
       period_text(building[Direction::kH1]), period_text(building[Direction::kH2]),
@@ -547,7 +551,7 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
     response.isolators = std::move(isolated.isolators);
     history = std::move(isolated.history);
   } else if (building.yielding) {
-    YieldingHistory yielding = solve_yielding(motion, building, floor, time_step, window);
+    YieldingHistory yielding = solve_yielding(motion, building, floor, place, time_step, window);
     report_storeys(yielding.storeys, record);
     response.storeys = std::move(yielding.storeys);
     history = std::move(yielding.history);

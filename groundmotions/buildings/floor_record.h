@@ -22,7 +22,7 @@ struct IsolatorResponse {
                       ///< their peaks [-]
 };
 
-/// Response of storeys that yield; one number for each, from the ground up.
+/// Response of storeys that yield, of the column of each that drifts most; from the ground up.
 struct StoreyResponse {
   Eigen::VectorXd ductility;       ///< largest |d| / d_y at the samples [-]
   Eigen::VectorXd residual_drift;  ///< |d| at the end [m]

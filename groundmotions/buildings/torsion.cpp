@@ -9,33 +9,42 @@
 
 namespace gurney::groundmotions {
 
-std::vector<TorsionMode> torsion_modes(const TorsionalBuilding& building) {
-  const Eigen::Index n = building.mass.size();
-  assert(n > 0 && building.mass.minCoeff() > 0 && building.gyration > 0 &&
-         building.frequency_ratio > 0 && building.eccentricity.cols() == n);
-  // Coordinates: u_x, u_y and r theta at the axis of stiffness, all in metres.
-  const double r = building.gyration;
-  const Eigen::VectorXd &m = building.mass, ex = building.eccentricity.row(0).transpose() / r,
-                        ey = building.eccentricity.row(1).transpose() / r;
+TwistingMatrices twisting_matrices(const Eigen::VectorXd& mass,
+                                   const Eigen::Matrix2Xd& eccentricity, double gyration,
+                                   const std::array<Eigen::MatrixXd, 2>& stiffness,
+                                   const Eigen::MatrixXd& torsional) {
+  const Eigen::Index n = mass.size();
+  const Eigen::VectorXd ex = eccentricity.row(0).transpose() / gyration,
+                        ey = eccentricity.row(1).transpose() / gyration;
   const Eigen::VectorXd inertia =
-      m.cwiseProduct(Eigen::VectorXd::Ones(n) + ex.cwiseAbs2() + ey.cwiseAbs2());
+      mass.cwiseProduct(Eigen::VectorXd::Ones(n) + ex.cwiseAbs2() + ey.cwiseAbs2());
   const auto diagonal = [](const Eigen::VectorXd& values) -> Eigen::MatrixXd {
     return values.asDiagonal();
   };
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd mass(3 * n, 3 * n), stiffness(3 * n, 3 * n);
-  mass << diagonal(m), none, diagonal(-m.cwiseProduct(ey)),  //
-      none, diagonal(m), diagonal(m.cwiseProduct(ex)),       //
-      diagonal(-m.cwiseProduct(ey)), diagonal(m.cwiseProduct(ex)), diagonal(inertia);
-  const double ratio = building.frequency_ratio;
-  stiffness << building.stiffness[0], none, none,  //
-      none, building.stiffness[1], none,           //
-      none, none, ratio * ratio * building.stiffness[0];
-  const auto [squared_frequencies, shapes] = natural_modes(stiffness, mass);
+  TwistingMatrices result{Eigen::MatrixXd(3 * n, 3 * n), Eigen::MatrixXd(3 * n, 3 * n),
+                          Eigen::MatrixXd::Zero(3 * n, 2)};
+  result.mass << diagonal(mass), none, diagonal(-mass.cwiseProduct(ey)),  //
+      none, diagonal(mass), diagonal(mass.cwiseProduct(ex)),              //
+      diagonal(-mass.cwiseProduct(ey)), diagonal(mass.cwiseProduct(ex)), diagonal(inertia);
+  result.stiffness << stiffness[0], none, none,  //
+      none, stiffness[1], none,                  //
+      none, none, torsional;
   // A ground that moves along x or y carries every coordinate with it but theta.
-  Eigen::MatrixXd carried = Eigen::MatrixXd::Zero(3 * n, 2);
-  carried.block(0, 0, n, 1).setOnes();
-  carried.block(n, 1, n, 1).setOnes();
+  result.carried.block(0, 0, n, 1).setOnes();
+  result.carried.block(n, 1, n, 1).setOnes();
+  return result;
+}
+
+std::vector<TorsionMode> torsion_modes(const TorsionalBuilding& building) {
+  const Eigen::Index n = building.mass.size();
+  assert(n > 0 && building.mass.minCoeff() > 0 && building.gyration > 0 &&
+         building.frequency_ratio > 0 && building.eccentricity.cols() == n);
+  const double r = building.gyration, ratio = building.frequency_ratio;
+  const auto [mass, stiffness, carried] =
+      twisting_matrices(building.mass, building.eccentricity, r, building.stiffness,
+                        ratio * ratio * building.stiffness[0]);
+  const auto [squared_frequencies, shapes] = natural_modes(stiffness, mass);
   std::vector<TorsionMode> modes;
   for (Eigen::Index i = 0; i < 3 * n; ++i) {
     const Eigen::VectorXd shape = shapes.col(i);  // phi' M phi = 1

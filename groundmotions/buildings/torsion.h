@@ -26,6 +26,18 @@ struct TorsionalBuilding {
   double frequency_ratio = 1;                     ///< Omega > 0
 };
 
+/// Matrices of u_x, u_y and r theta of all floors, in this order, all in metres.
+struct TwistingMatrices {
+  Eigen::MatrixXd mass, stiffness;
+  Eigen::MatrixXd carried;  ///< 3 n x 2: displacements where the ground moves by 1 along h1 or h2
+};
+
+/// @param torsional  K_t / r^2 [N/m]
+TwistingMatrices twisting_matrices(const Eigen::VectorXd& mass,
+                                   const Eigen::Matrix2Xd& eccentricity, double gyration,
+                                   const std::array<Eigen::MatrixXd, 2>& stiffness,
+                                   const Eigen::MatrixXd& torsional);
+
 /// One of its modes, driven by the ground along both axes: q'' + 2 zeta omega q' + omega^2 q = -Gamma . a.
 struct TorsionMode {
   double omega = 0;       ///< > 0 [rad/s]

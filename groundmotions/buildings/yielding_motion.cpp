@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "groundmotions/buildings/isolation.h"
 #include "groundmotions/buildings/modal_building.h"
+#include "groundmotions/buildings/torsion.h"
 
 namespace gurney::groundmotions {
 namespace {
@@ -14,14 +16,14 @@ constexpr int kMaxIterations = 100;
 /// are wanted to 1e-3 (floor_record.cpp).
 constexpr double kTolerance = 1e-12;
 
-/// B u: differences of floors that follow each other, the ground being 0.
+/// Differences of floors that follow each other, the ground being 0.
 Eigen::VectorXd drifts(const Eigen::VectorXd& floors) {
   Eigen::VectorXd result = floors;
   result.tail(floors.size() - 1) -= floors.head(floors.size() - 1);
   return result;
 }
 
-/// B' V: the force of the storeys below and above on each floor.
+/// The force of the storeys below and above on each floor.
 Eigen::VectorXd on_floors(const Eigen::VectorXd& shears) {
   Eigen::VectorXd result = shears;
   result.head(shears.size() - 1) -= shears.tail(shears.size() - 1);
@@ -29,110 +31,197 @@ Eigen::VectorXd on_floors(const Eigen::VectorXd& shears) {
 }
 
 /// C of a damping ratio for each mode.
-Eigen::MatrixXd modal_damping(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
                               const Eigen::VectorXd& ratios) {
-  const auto [squared_frequencies, shapes] = natural_modes(stiffness, mass.asDiagonal());
-  const Eigen::MatrixXd momenta = mass.asDiagonal() * shapes;
+  const auto [squared_frequencies, shapes] = natural_modes(stiffness, mass);
+  const Eigen::MatrixXd momenta = mass * shapes;
   const Eigen::VectorXd viscosities = 2 * ratios.array() * squared_frequencies.array().sqrt();
   return momenta * viscosities.asDiagonal() * momenta.transpose();
 }
 
+/// u_x, u_y of a place whose axis moves by `moved` and turns by its last entry.
+Vector2 at(const Vector2& place, const Vector3& moved) {
+  return {moved.x() - moved.z() * place.y(), moved.y() + moved.z() * place.x()};
+}
+
+/// Shears at a place as ones at the axis and a torque.
+Vector3 about_axis(const Vector2& place, const Vector2& shear) {
+  return {shear.x(), shear.y(), place.x() * shear.y() - place.y() * shear.x()};
+}
+
 }  // namespace
 
-YieldingMotion::Axis YieldingMotion::axis_of(std::size_t a) const {
+YieldingMotion::Block YieldingMotion::block_of(std::vector<Eigen::Index> rows) const {
   const Eigen::VectorXd& mass = storeys_.mass;
-  const Eigen::MatrixXd stiffness = shear_stiffness(storeys_.stiffness[a]);
-  const Eigen::MatrixXd damping = modal_damping(mass, stiffness, storeys_.damping[a]);
-  const Eigen::MatrixXd inertia = (2 / h_ * mass).asDiagonal();
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(mass.size());
-  return {storeys_.stiffness[a], rest, rest, damping,
-          SymmetricFactors(inertia + damping + h_ / 2 * stiffness)};
+  const Eigen::Index n = mass.size();
+  TwistingMatrices m;
+  Eigen::VectorXd ratios;
+  if (const auto& twist = storeys_.twist) {
+    const Eigen::VectorXd torsional =
+        (storeys_.stiffness[0].array() * twist->columns.row(1).transpose().array().square() +
+         storeys_.stiffness[1].array() * twist->columns.row(0).transpose().array().square()) /
+        (gyration_ * gyration_);
+    m = twisting_matrices(
+        mass, twist->eccentricity, gyration_,
+        {shear_stiffness(storeys_.stiffness[0]), shear_stiffness(storeys_.stiffness[1])},
+        shear_stiffness(torsional));
+    ratios = twist->damping;
+  } else {
+    const Eigen::Index a = rows.front();
+    m = {mass.asDiagonal(), shear_stiffness(storeys_.stiffness[static_cast<std::size_t>(a)]),
+         Eigen::MatrixXd::Zero(n, 2)};
+    m.carried.col(a).setOnes();
+    ratios = storeys_.damping[static_cast<std::size_t>(a)];
+  }
+  const Eigen::MatrixXd damping = modal_damping(m.mass, m.stiffness, ratios);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(m.mass.rows());
+  return {std::move(rows),
+          m.mass,
+          damping,
+          m.mass * m.carried,
+          rest,
+          rest,
+          SymmetricFactors(2 / h_ * m.mass + damping + h_ / 2 * m.stiffness)};
 }
 
 YieldingMotion::YieldingMotion(const YieldingStoreys& storeys, double time_step)
     : storeys_(storeys),
       h_(time_step),
-      axes_{axis_of(0), axis_of(1)},
-      drift_(Eigen::Matrix2Xd::Zero(2, storeys.mass.size())),
-      z_(drift_),
-      next_z_(drift_) {
+      gyration_(storeys.twist ? storeys.twist->gyration : 1.0),
+      columns_(static_cast<std::size_t>(storeys.mass.size())),
+      drift_(Eigen::Matrix3Xd::Zero(3, storeys.mass.size())) {
   assert(time_step > 0 && storeys.hardening >= 0 && storeys.hardening < 1);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const auto storey = static_cast<Eigen::Index>(i);
+    const Vector2 whole(storeys.stiffness[0][storey], storeys.stiffness[1][storey]);
+    std::vector<Vector2> places = {Vector2::Zero()};
+    if (storeys.twist) {
+      const double a = storeys.twist->columns(0, storey), b = storeys.twist->columns(1, storey);
+      places = {{a, b}, {-a, b}, {-a, -b}, {a, -b}};
+    }
+    for (const Vector2& place : places)
+      columns_[i].push_back(
+          {place, whole / static_cast<double>(places.size()), Vector2::Zero(), Vector2::Zero()});
+  }
+  if (storeys.twist)
+    blocks_ = {block_of({0, 1, 2})};
+  else
+    blocks_ = {block_of({0}), block_of({1})};
 }
 
-double YieldingMotion::shear(Eigen::Index storey, Eigen::Index a, double drift, double z) const {
+Eigen::Matrix3Xd YieldingMotion::increments() const {
+  const Eigen::Index n = drift_.cols();
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, n);
+  for (const Block& block : blocks_)
+    for (std::size_t k = 0; k < block.rows.size(); ++k)
+      result.row(block.rows[k]) =
+          h_ * drifts(block.mean_velocity.segment(static_cast<Eigen::Index>(k) * n, n)).transpose();
+  result.row(2) /= gyration_;
+  return result;
+}
+
+Eigen::Matrix3Xd YieldingMotion::mean_forces(const Eigen::Matrix3Xd& increment) {
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, increment.cols());
   const double alpha = storeys_.hardening;
-  return axes_[static_cast<std::size_t>(a)].stiffness[storey] *
-         (alpha * drift + (1 - alpha) * storeys_.yield_drift[storey] * z);
-}
-
-Eigen::Matrix2Xd YieldingMotion::mean_shear(const Eigen::Matrix2Xd& increment) {
-  Eigen::Matrix2Xd result(2, increment.cols());
   for (Eigen::Index i = 0; i < increment.cols(); ++i) {
-    const Sliding slid = slide(z_.col(i), increment.col(i) / storeys_.yield_drift[i]);
-    next_z_.col(i) = slid.end;
-    for (Eigen::Index a = 0; a < 2; ++a)
-      result(a, i) = shear(i, a, drift_(a, i) + increment(a, i) / 2, slid.mean[a]);
+    const double yield = storeys_.yield_drift[i];
+    for (Column& column : columns_[static_cast<std::size_t>(i)]) {
+      const Vector2 moved = at(column.place, increment.col(i));
+      const Sliding slid = slide(column.z, moved / yield);
+      column.next_z = slid.end;
+      const Vector2 middle = at(column.place, drift_.col(i)) + moved / 2;
+      result.col(i) += about_axis(
+          column.place,
+          column.stiffness.cwiseProduct(alpha * middle + (1 - alpha) * yield * slid.mean));
+    }
   }
   return result;
 }
 
+Vector3 YieldingMotion::force(Eigen::Index storey) const {
+  const double alpha = storeys_.hardening, yield = storeys_.yield_drift[storey];
+  Vector3 result = Vector3::Zero();
+  for (const Column& column : columns_[static_cast<std::size_t>(storey)])
+    result += about_axis(
+        column.place, column.stiffness.cwiseProduct(alpha * at(column.place, drift_.col(storey)) +
+                                                    (1 - alpha) * yield * column.z));
+  return result;
+}
+
 void YieldingMotion::step(const Vector2& ground0, const Vector2& ground1) {
-  const Eigen::VectorXd& mass = storeys_.mass;
+  const Eigen::Index n = drift_.cols();
   const Vector2 ground = (ground0 + ground1) / 2;
-  Eigen::Matrix2Xd increment(2, mass.size()), shears;
-  // The elastic slope is the largest that mean shears have: with it the fixed point contracts, by
+  // The elastic slope is the largest that mean forces have: with it the fixed point contracts, by
   // (omega h / 2)^2 / (1 + (omega h / 2)^2) at most.
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    for (Eigen::Index a = 0; a < 2; ++a)
-      increment.row(a) = h_ * drifts(axes_[static_cast<std::size_t>(a)].mean_velocity).transpose();
-    shears = mean_shear(increment);
+    Eigen::Matrix3Xd forces = mean_forces(increments());
+    forces.row(2) /= gyration_;
     double change = 0, size = 0;
-    for (Eigen::Index a = 0; a < 2; ++a) {
-      Axis& axis = axes_[static_cast<std::size_t>(a)];
+    for (Block& block : blocks_) {
+      Eigen::VectorXd restoring(block.velocity.size());
+      for (std::size_t k = 0; k < block.rows.size(); ++k)
+        restoring.segment(static_cast<Eigen::Index>(k) * n, n) =
+            on_floors(forces.row(block.rows[k]).transpose());
       const Eigen::VectorXd residual =
-          mass.cwiseProduct(2 / h_ * (axis.mean_velocity - axis.velocity)) +
-          axis.damping * axis.mean_velocity + on_floors(shears.row(a).transpose()) +
-          ground[a] * mass;
-      const Eigen::VectorXd correction = axis.solve.solve(residual);
-      axis.mean_velocity -= correction;
+          block.mass * (2 / h_ * (block.mean_velocity - block.velocity)) +
+          block.damping * block.mean_velocity + restoring + block.carried * ground;
+      const Eigen::VectorXd correction = block.solve.solve(residual);
+      block.mean_velocity -= correction;
       change = std::max(change, correction.cwiseAbs().maxCoeff());
-      size = std::max(size, axis.mean_velocity.cwiseAbs().maxCoeff());
+      size = std::max(size, block.mean_velocity.cwiseAbs().maxCoeff());
     }
     if (change <= kTolerance * size) break;
   }
-  for (Eigen::Index a = 0; a < 2; ++a)
-    increment.row(a) = h_ * drifts(axes_[static_cast<std::size_t>(a)].mean_velocity).transpose();
-  shears = mean_shear(increment);
+  const Eigen::Matrix3Xd increment = increments(), forces = mean_forces(increment);
 
   energy_.kinetic = energy_.strain = 0;
-  const Eigen::Matrix2Xd end = drift_ + increment;
-  for (Eigen::Index a = 0; a < 2; ++a) {
-    Axis& axis = axes_[static_cast<std::size_t>(a)];
-    const Eigen::VectorXd& mean = axis.mean_velocity;
-    axis.velocity = 2 * mean - axis.velocity;
-    energy_.input -= h_ * ground[a] * mass.dot(mean);
-    energy_.damping += h_ * mean.dot(axis.damping * mean);
-    energy_.kinetic += mass.dot(axis.velocity.cwiseAbs2()) / 2;
-    for (Eigen::Index i = 0; i < mass.size(); ++i) {
-      const double elastic = storeys_.hardening * axis.stiffness[i];
-      energy_.strain += elastic * end(a, i) * end(a, i) / 2;
-      energy_.hysteresis +=
-          (shears(a, i) - elastic * (drift_(a, i) + end(a, i)) / 2) * increment(a, i);
+  for (Block& block : blocks_) {
+    const Eigen::VectorXd& mean = block.mean_velocity;
+    block.velocity = 2 * mean - block.velocity;
+    energy_.input -= h_ * (block.carried * ground).dot(mean);
+    energy_.damping += h_ * mean.dot(block.damping * mean);
+    energy_.kinetic += block.velocity.dot(block.mass * block.velocity) / 2;
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    energy_.hysteresis += forces.col(i).dot(increment.col(i));
+    for (Column& column : columns_[static_cast<std::size_t>(i)]) {
+      const Vector2 elastic = storeys_.hardening * column.stiffness;
+      const Vector2 start = at(column.place, drift_.col(i)),
+                    end = start + at(column.place, increment.col(i));
+      energy_.strain += elastic.dot(end.cwiseAbs2()) / 2;
+      energy_.hysteresis -= elastic.dot((end.cwiseAbs2() - start.cwiseAbs2())) / 2;
+      column.z = column.next_z;
     }
   }
-  drift_ = end;
-  z_ = next_z_;
+  drift_ += increment;
 }
 
-Vector2 YieldingMotion::floor_acceleration(Eigen::Index floor) const {
-  const Eigen::Index i = floor - 1;
-  Vector2 result;
-  for (Eigen::Index a = 0; a < 2; ++a) {
-    const Axis& axis = axes_[static_cast<std::size_t>(a)];
-    double force = -axis.damping.row(i).dot(axis.velocity) - shear(i, a, drift_(a, i), z_(a, i));
-    if (floor < drift_.cols()) force += shear(floor, a, drift_(a, floor), z_(a, floor));
-    result[a] = force / storeys_.mass[i];
-  }
+Vector3 YieldingMotion::floor_acceleration(Eigen::Index floor, const Vector2& place) const {
+  const Eigen::Index n = drift_.cols(), i = floor - 1;
+  Vector3 push = Vector3::Zero();
+  for (const Block& block : blocks_)
+    for (std::size_t k = 0; k < block.rows.size(); ++k)
+      push[block.rows[k]] =
+          -block.damping.row(static_cast<Eigen::Index>(k) * n + i).dot(block.velocity);
+  push.z() *= gyration_;  // from r theta to a torque
+  push -= force(i);
+  if (floor < n) push += force(floor);
+  if (!storeys_.twist) return {push.x() / storeys_.mass[i], push.y() / storeys_.mass[i], 0};
+  // Newton at the centre of mass e, Euler about it: m r^2 theta'' = torque - e x force.
+  const Vector2 e = storeys_.twist->eccentricity.col(i), centre = push.head<2>() / storeys_.mass[i];
+  const double yaw = (push.z() / storeys_.mass[i] - e.x() * centre.y() + e.y() * centre.x()) /
+                     (gyration_ * gyration_);
+  const Vector2 there = at(place - e, Vector3(centre.x(), centre.y(), yaw));
+  return {there.x(), there.y(), yaw};
+}
+
+double YieldingMotion::yaw(Eigen::Index floor) const { return drift_.row(2).head(floor).sum(); }
+
+Eigen::VectorXd YieldingMotion::column_drift() const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(drift_.cols());
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    for (const Column& column : columns_[static_cast<std::size_t>(i)])
+      result[i] = std::max(result[i], at(column.place, drift_.col(i)).norm());
   return result;
 }
 

@@ -1,25 +1,38 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "engine/base/linear_algebra.h"
 #include "engine/base/vector.h"
 
 namespace gurney::groundmotions {
 
-/// A shear building whose storeys yield. With d the drift of a storey in h1 and h2, its shear is
+/// Floors that twist on storeys that yield, as in TorsionalBuilding: four columns carry a quarter of the
+/// stiffness of their storey each, at (+-a, +-b) from its axis, so that K_t = K_x b^2 + K_y a^2.
+struct YieldingTwist {
+  Eigen::Matrix2Xd eccentricity;  ///< of the centre of mass of floors 1 to n [m]
+  double gyration = 1;            ///< > 0 [m]
+  Eigen::Matrix2Xd columns;       ///< a, b of each storey from the ground up >= 0, not both 0 [m]
+  Eigen::VectorXd damping;        ///< of all 3 n elastic modes, by rising frequency, in [0, 1)
+};
+
+/// A shear building whose storeys yield. With d the drift of a column in h1 and h2, its shear is
 ///
-///     V_a = alpha K_a d_a + (1 - alpha) K_a d_y z_a,   a = h1, h2
+///     V_a = alpha k_a d_a + (1 - alpha) k_a d_y z_a,   a = h1, h2
 ///     z' = d' / d_y inside the unit disc; on its edge without the part of d' that leads out of it
 ///
-/// which is bilinear with kinematic hardening along one line, and yields at |d| = d_y in any direction.
-/// Neither strength nor stiffness degrades, loops are not pinched, and weight does no work on drift.
+/// which is bilinear with kinematic hardening along one line, and yields at |d| = d_y in any direction. A
+/// storey whose floors do not twist is one such column, k = K. Neither strength nor stiffness degrades, loops
+/// are not pinched, and weight does no work on drift.
 struct YieldingStoreys {
   Eigen::VectorXd mass;                      ///< of floors 1 to n > 0 [kg]; only ratios matter
   std::array<Eigen::VectorXd, 2> stiffness;  ///< K of each storey from the ground up > 0 [N/m]
   std::array<Eigen::VectorXd, 2> damping;  ///< of the elastic modes, by rising frequency, in [0, 1)
   Eigen::VectorXd yield_drift;             ///< d_y of each storey > 0 [m]
   double hardening = 0;                    ///< alpha in [0, 1)
+  std::optional<YieldingTwist> twist = {};  ///< in place of `damping`; empty: floors do not twist
 };
 
 /// Energies relative to the ground, for the given masses [J]; every term comes from its own force.
@@ -33,13 +46,14 @@ struct StoreyEnergy {
   double closure() const { return input - kinetic - strain - hysteresis - damping; }
 };
 
-/// Its two horizontal motions, solved together by the implicit midpoint rule:
+/// Its horizontal motions, solved together by the implicit midpoint rule:
 ///
 ///     M u'' + C u' + B' V(B u) = -M 1 a_ground,   C = sum_i 2 zeta_i omega_i M phi_i phi_i' M
 ///
-/// with B the drifts of displacements u and phi_i' M phi_i = 1. Second order, stable for any step. Drifts go
-/// straight in a step, so slide() gives the work of z exactly and the energies close to the tolerance of
-/// the solve.
+/// with u the displacements of the floors at the axis of stiffness along h1 and h2, and r theta where they
+/// twist; B takes them to the drifts of the columns, and phi_i' M phi_i = 1. Second order, stable for any step.
+/// Drifts go straight in a step, so slide() gives the work of z exactly and the energies close to the tolerance
+/// of the solve.
 class YieldingMotion {
  public:
   /// @param time_step  > 0 [s]
@@ -49,26 +63,44 @@ class YieldingMotion {
   /// @param ground0, ground1  acceleration of the ground at its begin and end [m/s2]
   void step(const Vector2& ground0, const Vector2& ground1);
 
-  Vector2 floor_acceleration(Eigen::Index floor) const;     ///< absolute; 1 to n [m/s2]
-  const Eigen::Matrix2Xd& drift() const { return drift_; }  ///< of each storey now [m]
+  /// Absolute acceleration of a place along h1 and h2 [m/s2], and yaw acceleration of its floor [rad/s2].
+  /// @param floor  1 to n
+  /// @param place  from the axis of stiffness [m]
+  Vector3 floor_acceleration(Eigen::Index floor, const Vector2& place = Vector2::Zero()) const;
+  double yaw(Eigen::Index floor) const;  ///< [rad]
+
+  /// Drift of each storey at the axis along h1 and h2 [m], and its twist [rad], now.
+  const Eigen::Matrix3Xd& drift() const { return drift_; }
+  Eigen::VectorXd column_drift()
+      const;  ///< |d| of the column of each storey where it is largest [m]
   const StoreyEnergy& energy() const { return energy_; }
 
  private:
-  struct Axis {
-    Eigen::VectorXd stiffness, velocity, mean_velocity;
-    Eigen::MatrixXd damping;
+  /// Coordinates that the elastic building couples: one row of all floors, or all three.
+  struct Block {
+    std::vector<Eigen::Index> rows;  ///< of 0, 1, 2: u_x, u_y, r theta
+    Eigen::MatrixXd mass, damping;
+    Eigen::MatrixXd carried;  ///< M 1: what a ground acceleration along h1, h2 pushes
+    Eigen::VectorXd velocity, mean_velocity;
     SymmetricFactors solve;  ///< 2 M / h + C + h K / 2, with the elastic K
   };
+  struct Column {
+    Vector2 place;      ///< [m]
+    Vector2 stiffness;  ///< [N/m]
+    Vector2 z, next_z;
+  };
 
-  Axis axis_of(std::size_t a) const;
-  /// Mean shear of all storeys over a step in which they drift by `increment` [m].
-  Eigen::Matrix2Xd mean_shear(const Eigen::Matrix2Xd& increment);
-  double shear(Eigen::Index storey, Eigen::Index a, double drift, double z) const;
+  Block block_of(std::vector<Eigen::Index> rows) const;
+  Eigen::Matrix3Xd increments() const;  ///< of drift_ in a step at the mean velocities
+  /// Mean forces of all storeys over a step in which they drift by `increment`: shears [N], torque [N m].
+  Eigen::Matrix3Xd mean_forces(const Eigen::Matrix3Xd& increment);
+  Vector3 force(Eigen::Index storey) const;  ///< now
 
   YieldingStoreys storeys_;
-  double h_;
-  std::array<Axis, 2> axes_;
-  Eigen::Matrix2Xd drift_, z_, next_z_;
+  double h_, gyration_;
+  std::vector<std::vector<Column>> columns_;  ///< of each storey
+  std::vector<Block> blocks_;
+  Eigen::Matrix3Xd drift_;
   StoreyEnergy energy_;
 };
 

@@ -226,8 +226,6 @@ TEST(BuildingReader, ReadsFloorsThatTwist) {
     return errors(kShear + more + torsion + "eccentricity_h2_m = 1\n");
   };
   EXPECT_THAT(errors_with("modes = 2\n"), HasSubstr("modes: must not be given with torsion"));
-  EXPECT_THAT(errors_with("[yield]\nheight_m = 9\ndrift_ratio = 0.01\nhardening_ratio = 0\n"),
-              HasSubstr("torsion: must not be given with yield"));
   EXPECT_THAT(errors_with("[floor_rotation]\nheight_m = 9\nbending_share = 1\n"),
               HasSubstr("floor_rotation: must not be given with torsion"));
   EXPECT_THAT(errors(kShear + torsion + "eccentricity_h1_m = [1, 2]\n"),
@@ -248,6 +246,33 @@ TEST(BuildingReader, ReadsStoreysThatYield) {
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(modes_of(storeys.mass, shear_stiffness(storeys.stiffness[i])).front().omega,
                 building.axes[i].front().omega, 1e-10);
+}
+
+// K_t = Omega^2 r^2 K_x = K_x b^2 + K_y a^2, with K_y = 4 K_x here: the period along h2 is half as long.
+TEST(BuildingReader, ReadsStoreysThatYieldAndTwist) {
+  const std::string yield = "[yield]\nheight_m = 12\ndrift_ratio = 0.01\nhardening_ratio = 0.05\n";
+  const std::string torsion =
+      "[torsion]\nradius_of_gyration_m = 6\nfrequency_ratio = 1.5\neccentricity_h1_m = 2\n";
+  const std::string shear =
+      "kind = 'shear'\nstoreys = 3\nperiod_s = [1, 0.5]\ndamping_ratio = 0.05\n";
+  const Building alike = read(shear + yield + torsion);
+  ASSERT_TRUE(alike.yielding && alike.yielding->twist);
+  const YieldingTwist& twist = *alike.yielding->twist;
+  EXPECT_TRUE(twist.columns.isApprox(Eigen::Matrix2Xd::Constant(2, 3, 9 / std::sqrt(5)), 1e-12));
+  EXPECT_EQ(twist.damping, Eigen::VectorXd::Constant(9, 0.05));
+  EXPECT_EQ(twist.eccentricity.row(0), Eigen::RowVector3d::Constant(2));
+  const std::string far = "column_distance_h1_m = 4\n";
+  const Building stated = read(shear + yield + far + torsion);
+  EXPECT_TRUE(stated.yielding->twist->columns.row(1).isApprox(
+      Eigen::RowVector3d::Constant(std::sqrt(81.0 - 4 * 16)), 1e-12));
+  // At 4.5 m along h1 the columns have all of the stiffness.
+  EXPECT_EQ(errors(shear + yield + "column_distance_h1_m = 5\n" + torsion),
+            "b.toml:9:24: yield.column_distance_h1_m = 5: must be a finite number >= 0 and <= 4.5");
+  EXPECT_THAT(errors(shear + yield + far),
+              HasSubstr("column_distance_h1_m: must not be given with storeys that do not twist"));
+  const Building straight =
+      read(shear + yield + far + "[torsion]\nradius_of_gyration_m = 6\nfrequency_ratio = 1.5\n");
+  EXPECT_FALSE(straight.yielding->twist);
 }
 
 TEST(BuildingReader, RefusesYieldThatMeansNothing) {
@@ -293,9 +318,9 @@ TEST(BuildingReader, EveryKeyIsDocumented) {
   shear.merge(
       asked("kind = 'shear'\nstorey_stiffness_h1_n_per_m = [1]\n"
             "[isolation]\nkind = 'lead_rubber'\n"));
-  shear.merge(asked(kShear + "[yield]\ndrift_ratio = 0.01\n"));
-  const std::string torsion = "[torsion]\neccentricity_h1_m = 1\n";
-  shear.merge(asked(kShear + torsion));
+  const std::string torsion =
+      "[torsion]\neccentricity_h1_m = 1\nradius_of_gyration_m = 5\nfrequency_ratio = 1\n";
+  shear.merge(asked(kShear + "[yield]\ndrift_ratio = 0.01\n" + torsion));
   EXPECT_EQ(shear, documented({"All buildings", "Shear", "Yield", "Floor rotation", "Torsion",
                                "Vertical", "Isolation"}));
   std::set<std::string> generic = asked("kind = 'generic'\nframe = 'other'\n" + isolation);

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
 
 #include "engine/base/linear_algebra.h"
+#include "engine/base/units.h"
 #include "groundmotions/buildings/building.h"
 #include "groundmotions/buildings/floor_record.h"
 #include "groundmotions/buildings/modal_building.h"
@@ -227,6 +229,35 @@ TEST(Torsion, AMirroredBuildingMovesInMirrorImage) {
   EXPECT_LT(differ(a.components[1]->acceleration, -c.components[1]->acceleration), 1e-11);
   EXPECT_LT(differ(a.rotation->angle.row(2), -c.rotation->angle.row(2)), 1e-11);
   EXPECT_LT(differ(a.rotation->acceleration.row(2), -c.rotation->acceleration.row(2)), 1e-11);
+}
+
+Vector2 peaks_at(const std::string& building, const Vector2& place) {
+  const Building shipped = building_from_file(std::string(GURNEY_SOURCE_DIR) +
+                                              "/groundmotions/buildings/" + building + ".toml");
+  const Record roof = floor_record(shaken(), shipped, 4, place);
+  EXPECT_GT(roof.rotation->angle.row(2).cwiseAbs().maxCoeff(), 1e-3) << building;
+  return Vector2(roof.components[0]->acceleration.cwiseAbs().maxCoeff(),
+                 roof.components[1]->acceleration.cwiseAbs().maxCoeff()) /
+         kStandardGravity;
+}
+
+// The numbers of docs/theory/buildings.md, to their last digit.
+TEST(Torsion, TheShippedBuildingHasThePeaksOfThePage) {
+  const auto expect = [](const Vector2& peaks, double h1, double h2) {
+    EXPECT_NEAR(peaks.x(), h1, 0.005);
+    EXPECT_NEAR(peaks.y(), h2, 0.005);
+  };
+  expect(peaks_at("twisting_hospital", {0, 0}), 0.91, 0.69);
+  expect(peaks_at("twisting_hospital", {20, 10}), 0.93, 1.04);
+  expect(peaks_at("twisting_hospital", {-20, -10}), 1.05, 0.89);
+}
+
+// Storeys at the limit of yield: more than the elastic roof, whose damping is 5 % in place of 3 %.
+TEST(Torsion, TheShippedBuildingAlsoYields) {
+  const Vector2 elastic = peaks_at("twisting_hospital", {-20, -10}),
+                yielding = peaks_at("yielding_twisting_hospital", {-20, -10});
+  EXPECT_GT(yielding.x(), elastic.x());
+  EXPECT_LT(yielding.x(), 2 * elastic.x());
 }
 
 // A rigid floor: at two places the accelerations differ by theta'' x r.

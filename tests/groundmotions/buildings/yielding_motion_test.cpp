@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "groundmotions/buildings/modal_building.h"
+#include "groundmotions/buildings/torsion.h"
 
 namespace gurney::groundmotions {
 namespace {
@@ -117,8 +119,8 @@ TEST(YieldingMotion, AConstantAccelerationLeavesTheDriftOfTheBackbone) {
   // The lower storey carries both masses, the upper one half of that, which is below its strength.
   const double lower = (2 * push - 0.8 * strength) / (0.2 * storeys.stiffness[0][0]);
   const double upper = push / storeys.stiffness[0][0];
-  EXPECT_NEAR(motion.drift().col(0).dot(along), -lower, 5e-4);
-  EXPECT_NEAR(motion.drift().col(1).dot(along), -upper, 5e-4);
+  EXPECT_NEAR(motion.drift().col(0).head<2>().dot(along), -lower, 5e-4);
+  EXPECT_NEAR(motion.drift().col(1).head<2>().dot(along), -upper, 5e-4);
   // Yield is the same in all directions: nothing moves across.
   EXPECT_NEAR(motion.drift()(0, 0) * 0.8, motion.drift()(1, 0) * 0.6, 1e-12);
   EXPECT_GT(lower, 0.02) << "yields by more than twice";
@@ -141,16 +143,180 @@ TEST(YieldingMotion, EnergiesClose) {
 TEST(YieldingMotion, TurnsWithTheGround) {
   const YieldingStoreys storeys = storeys_of(2, 0.6, 0.006, 0.03, 0.05);
   YieldingMotion straight(storeys, 2e-3), turned(storeys, 2e-3);
-  Eigen::Matrix2d turn;
-  turn << 0.6, -0.8, 0.8, 0.6;
+  Eigen::Matrix3d turn;
+  turn << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
   for (int i = 0; i < 4000; ++i) {
     const Vector2 a = shake(2e-3 * i), b = shake(2e-3 * (i + 1));
     straight.step(a, b);
-    turned.step(turn * a, turn * b);
+    turned.step(turn.topLeftCorner<2, 2>() * a, turn.topLeftCorner<2, 2>() * b);
     // Solves end at 1e-12 of the velocity of 0.5 m/s, 4000 times 1e-15 m.
     ASSERT_LT((turned.drift() - turn * straight.drift()).cwiseAbs().maxCoeff(), 1e-11);
   }
   EXPECT_GT(straight.drift().col(0).norm(), 1e-4) << "a residual drift";
+}
+
+/// Storeys of columns at (+-a, +-b), a building that is stiffer along h2 and whose masses lie off its axis.
+YieldingStoreys twisting_storeys(int count, double yield_drift, double eccentricity) {
+  YieldingStoreys storeys = storeys_of(count, 0.6, yield_drift, 0.04, 0.05);
+  storeys.stiffness[1] *= 1.5;
+  YieldingTwist& twist = storeys.twist.emplace();
+  twist.eccentricity = Vector2(2 * eccentricity, eccentricity).replicate(1, count);
+  twist.gyration = 12;
+  twist.columns = Vector2(9, 5).replicate(1, count);
+  twist.damping = Eigen::VectorXd::Constant(3 * count, 0.05);
+  return storeys;
+}
+
+/// The same where nothing yields: K_t = K_x b^2 + K_y a^2 = Omega^2 r^2 K_x.
+std::vector<TorsionMode> elastic_modes(const YieldingStoreys& storeys) {
+  const YieldingTwist& twist = *storeys.twist;
+  TorsionalBuilding building{
+      storeys.mass,
+      {shear_stiffness(storeys.stiffness[0]), shear_stiffness(storeys.stiffness[1])},
+      twist.eccentricity,
+      twist.gyration,
+      std::sqrt(5 * 5 + 1.5 * 9 * 9) / twist.gyration};
+  std::vector<TorsionMode> modes = torsion_modes(building);
+  for (TorsionMode& mode : modes) mode.damping = 0.05;
+  return modes;
+}
+
+Vector3 error_against_twisting_modes(double h) {
+  const YieldingStoreys storeys = twisting_storeys(3, 1e9, 1);
+  const Vector2 place(11, -7);
+  YieldingMotion motion(storeys, h);
+  TorsionResponse modes(elastic_modes(storeys), 3, place, h);
+  Vector3 error = Vector3::Zero();
+  for (int i = 0; i * h < kEnd; ++i) {
+    const Vector2 a = shake(i * h), b = shake((i + 1) * h);
+    motion.step(a, b);
+    modes.step(a, b);
+    const Vector3 difference = motion.floor_acceleration(3, place) - modes.acceleration(b);
+    error = error.cwiseMax(difference.cwiseAbs());
+    EXPECT_NEAR(motion.yaw(3), modes.yaw(), 2e-5);
+  }
+  return error;
+}
+
+// As without torsion, for the three motions of a place far from the axis.
+TEST(TwistingYield, BelowYieldIsTheSumOfCoupledModesInSecondOrder) {
+  const Vector3 coarse = error_against_twisting_modes(2e-3),
+                fine = error_against_twisting_modes(1e-3);
+  for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(coarse[i] / fine[i], 4, 0.4) << i;
+}
+
+/// One storey about its centre of mass, columns of bilinear springs that follow radial return, symplectic
+/// steps: another method, other coordinates. The drift of the axis along h1 and h2, and the yaw, each `h`.
+std::vector<Vector3> storey_with_radial_return(const YieldingStoreys& storeys, double h) {
+  constexpr double kStep = 1e-5;
+  const YieldingTwist& twist = *storeys.twist;
+  const Vector2 e = twist.eccentricity.col(0);
+  const double alpha = storeys.hardening, d_y = storeys.yield_drift[0], r = twist.gyration;
+  const double a = twist.columns(0, 0), b = twist.columns(1, 0);
+  const std::array<Vector2, 4> places = {
+      {Vector2(a, b) - e, Vector2(-a, b) - e, Vector2(-a, -b) - e, Vector2(a, -b) - e}};
+  const Vector2 k(storeys.stiffness[0][0] / 4, storeys.stiffness[1][0] / 4);
+  // Modal damping in the coordinates of the centre of mass: u_x, u_y, r theta.
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+  for (const Vector2& place : places) {
+    Eigen::Matrix<double, 2, 3> moves;
+    moves << 1, 0, -place.y() / r, 0, 1, place.x() / r;
+    stiffness += moves.transpose() * k.asDiagonal() * moves;
+  }
+  const NaturalModes natural = natural_modes(stiffness, Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d damping =
+      natural.shapes *
+      (2 * twist.damping.array() * natural.squared_frequencies.array().sqrt())
+          .matrix()
+          .asDiagonal() *
+      natural.shapes.transpose();
+  Vector3 u = Vector3::Zero(), v = Vector3::Zero();
+  std::array<Vector2, 4> plastic;
+  plastic.fill(Vector2::Zero());
+  std::vector<Vector3> result;
+  const auto every = static_cast<long>(std::lround(h / kStep));
+  for (long i = 0; static_cast<double>(i) * kStep < kEnd + 2; ++i) {
+    const double yaw = u.z() / r;
+    if (i % every == 0) result.emplace_back(u.x() + yaw * e.y(), u.y() - yaw * e.x(), yaw);
+    Vector3 push = -damping * v;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Vector2& place = places[c];
+      const Vector2 d(u.x() - yaw * place.y(), u.y() + yaw * place.x());
+      Vector2 spring = d - plastic[c];
+      if (spring.norm() > d_y) spring *= d_y / spring.norm();
+      plastic[c] = d - spring;
+      const Vector2 shear = k.cwiseProduct(alpha * d + (1 - alpha) * spring);
+      push -= Vector3(shear.x(), shear.y(), (place.x() * shear.y() - place.y() * shear.x()) / r);
+    }
+    const Vector2 ground = shake(static_cast<double>(i) * kStep);
+    v += kStep * (push - Vector3(ground.x(), ground.y(), 0));
+    u += kStep * v;
+  }
+  return result;
+}
+
+Vector3 error_of_twisting_storey(double h) {
+  const YieldingStoreys storeys = twisting_storeys(1, 0.01, 1);
+  YieldingMotion motion(storeys, h);
+  const std::vector<Vector3> expected = storey_with_radial_return(storeys, h);
+  Vector3 error = Vector3::Zero();
+  double ductility = 0;
+  for (std::size_t i = 0; i + 1 < expected.size(); ++i) {
+    const double t = static_cast<double>(i) * h;
+    motion.step(shake(t), shake(t + h));
+    error = error.cwiseMax((motion.drift().col(0) - expected[i + 1]).cwiseAbs());
+    ductility = std::max(ductility, motion.column_drift()[0] / 0.01);
+  }
+  EXPECT_GT(ductility, 3) << "a column must yield";
+  EXPECT_GT(std::abs(expected.back().z()), 1e-5) << "and keep a twist";
+  return error;
+}
+
+// The bounds of FollowsABilinearStoreySolvedInAnotherWay; the yaw has those of a drift 12 m away.
+TEST(TwistingYield, FollowsColumnsWithRadialReturnAboutTheCentreOfMass) {
+  for (const double h : {1e-3, 2.5e-4}) {
+    const Vector3 error = error_of_twisting_storey(h);
+    const double bound = 3e-5 + 10 * 0.05 * std::pow(10.5 * h, 2) / 12;
+    EXPECT_LT(error.x(), bound);
+    EXPECT_LT(error.y(), bound);
+    EXPECT_LT(error.z(), bound / 12);
+  }
+}
+
+// Columns of a floor that does not turn drift alike: together they are the storey.
+TEST(TwistingYield, WithoutEccentricityColumnsAreTheStorey) {
+  const YieldingStoreys columns = twisting_storeys(3, 0.006, 0);
+  YieldingStoreys one = columns;
+  one.twist.reset();
+  YieldingMotion a(columns, 2e-3), b(one, 2e-3);
+  for (int i = 0; i < 4000; ++i) {
+    a.step(shake(2e-3 * i), shake(2e-3 * (i + 1)));
+    b.step(shake(2e-3 * i), shake(2e-3 * (i + 1)));
+    ASSERT_LT((a.drift() - b.drift()).cwiseAbs().maxCoeff(), 1e-11);  // as TurnsWithTheGround
+  }
+  EXPECT_GT(b.column_drift().maxCoeff(), 1e-4) << "a residual drift";
+}
+
+TEST(TwistingYield, EnergiesCloseAndTheMirroredBuildingTwistsTheOtherWay) {
+  YieldingStoreys storeys = twisting_storeys(4, 0.006, 1);
+  YieldingMotion motion(storeys, 2e-3);
+  storeys.twist->eccentricity.row(1) *= -1;
+  YieldingMotion mirrored(storeys, 2e-3);
+  const Vector3 mirror(1, -1, -1);
+  double input = 0, yaw = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const Vector2 a = shake(2e-3 * i), b = shake(2e-3 * (i + 1));
+    motion.step(a, b);
+    mirrored.step({a.x(), -a.y()}, {b.x(), -b.y()});
+    input = std::max(input, motion.energy().input);
+    ASSERT_LT(std::abs(motion.energy().closure()), 1e-10 * std::max(input, 1.0));
+    ASSERT_LT((mirror.asDiagonal() * motion.drift() - mirrored.drift()).cwiseAbs().maxCoeff(),
+              1e-11);
+    yaw = std::max(yaw, std::abs(motion.yaw(4)));
+  }
+  EXPECT_GT(yaw, 1e-3);
+  EXPECT_GT(motion.energy().hysteresis, 0.3 * motion.energy().input);
+  EXPECT_LT(motion.energy().kinetic, 1e-3 * motion.energy().input) << "it rests";
 }
 
 }  // namespace
