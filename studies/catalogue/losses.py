@@ -27,7 +27,8 @@ SUPPORTED = 10  # runs that exceed; the curve of fewer is bounded by what happen
 SETTLED = 0.9  # share of the samples in which an action has the least loss
 QUANTITIES = ("days", "cost_ratio")
 COLUMNS = ["item", "floor", "place", "pfv", *(f"{q}_{s}{end}" for q in (*QUANTITIES, "lost") for s in SETTINGS
-           for end in ("", "_low", "_high")), "best", "share", "best_by_cost", "share_by_cost", "depends_on"]
+           for end in ("", "_low", "_high")),
+           "best", *(f"share_{s}" for s in SETTINGS), "best_by_cost", "share_by_cost", "depends_on"]
 NORMAL = statistics.NormalDist()
 Z95 = NORMAL.inv_cdf(0.975)
 
@@ -182,9 +183,14 @@ def cells(samples, setting):
 
 
 def best_of(samples):
-    """The setting with the least mean, and the share of the samples in which it has the least loss."""
-    best = least({s: mean_of(samples, s) for s in samples[0][0]})
-    return best, f"{sum(drawn[best] <= min(drawn.values()) for _, drawn in samples) / len(samples):.2f}"
+    """The setting with the least mean."""
+    return least({s: mean_of(samples, s) for s in samples[0][0]})
+
+
+def share_of(samples, setting):
+    """Share of the samples in which a setting has the least loss; a tie counts for each, so that shares may add up to
+    more than 1."""
+    return f"{sum(drawn[setting] <= min(drawn.values()) for _, drawn in samples) / len(samples):.2f}"
 
 
 def row_of(curves, of_item, speed, seed):
@@ -194,8 +200,10 @@ def row_of(curves, of_item, speed, seed):
         for s in SETTINGS:
             name = f"{quantity}_{s}"
             row |= dict(zip((name, name + "_low", name + "_high"), cells(of, s)))
-    row["best"], row["share"] = best_of(samples["days"])
-    row["best_by_cost"], row["share_by_cost"] = best_of(samples["cost_ratio"])
+    row["best"] = best_of(samples["days"])
+    row |= {f"share_{s}": share_of(samples["days"], s) for s in SETTINGS}
+    row["best_by_cost"] = best_of(samples["cost_ratio"])
+    row["share_by_cost"] = share_of(samples["cost_ratio"], row["best_by_cost"])
     row["depends_on"] = "; ".join(depends_on(curves, states_of(curves, of_item)["days"], speed))
     return row
 

@@ -6,8 +6,8 @@ pages.py writes it; the numbers are those of losses.csv, fragility.csv and floor
 import json
 import os
 
-from advice import FLOOR, PLACE, SPEED
-from losses import SETTINGS, SPEEDS, curves_of, probability
+from advice import FLOOR, LIFE_SUPPORT, MOST_LOST, PLACE, SPEED, action, likely, most_kept, percent, says, shares
+from losses import SETTLED, SETTINGS, SPEEDS, curves_of, probability
 from words import read
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -41,8 +41,8 @@ def cells(advice, curves, where, speed):
                           for setting in SETTINGS] for quantity in ("days", "lost")}
     chances = [[rounded(f"{probability(curves[setting][state], speed, 0):.2f}") for state in STATES]
                for setting in SETTINGS]
-    return numbers | {"chances": chances, "action": advice.action(**where, speed=speed), "best": row["best"],
-                      "share": float(row["share"]), "cheapest": row["best_by_cost"], "decides": row["depends_on"]}
+    return numbers | {"chances": chances, "action": action(row), "says": says(row), "shares": shares(row),
+                      "named": likely(row)[0], "kept": most_kept(row), "decides": row["depends_on"]}
 
 
 def facts(tables, advice, names):
@@ -62,5 +62,41 @@ def facts(tables, advice, names):
 
 def page(tables, advice, names):
     with open(os.path.join(HERE, "overview.html"), encoding="utf-8") as file:
-        template = file.read()
-    return template.replace("/*DATA*/", json.dumps(facts(tables, advice, names), separators=(",", ":")).replace("<", "\\u003c"))
+        text = file.read()
+    text = text.replace("<!--LIFE_SUPPORT-->", LIFE_SUPPORT).replace("<!--MOST_LOST-->", percent(MOST_LOST))
+    data = json.dumps(facts(tables, advice, names), separators=(",", ":"))
+    return text.replace("/*DATA*/", data.replace("<", "\\u003c"))
+
+
+def rows_of(path):
+    """What a written page says, by item, floor, place and velocity as losses.csv has them."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    data = json.loads(text.split('<script type="application/json" id="data">')[1].split("</script>")[0])
+    for item in data["items"]:
+        for floor, places in item["rows"].items():
+            for place, rows in places.items():
+                for speed, row in zip(data["speeds"], rows):
+                    yield (item["item"], floor, place, str(speed)), row
+
+
+def untrue(tables, path):
+    """Where the words of a written page are not true of losses.csv; without the rules of advice.py."""
+    numbers = {(r["item"], r["floor"], r["place"], r["pfv"]): r for r in read(tables, "losses.csv")}
+    for where, row in rows_of(path):
+        of = numbers[where]
+        lost = {s: round(100 * float(of["lost_" + s])) for s in SETTINGS}
+        share = {s: float(of["share_" + s]) for s in SETTINGS}
+        few = [s for s in SETTINGS if f"{s}: fewest days" in row["says"]]
+        kept = [s for s in SETTINGS if f"{s}: keeps it in service" in row["says"]]
+        none = "do not keep it in service" in row["says"]
+        told = [s for s in SETTINGS if f"{s} {percent(share[s])} %" in row["shares"]]
+        yield from (f"{', '.join(where)}: '{row['says']}', '{row['shares']}' where {wrong}" for wrong, it_is in (
+            ("a setting keeps it in service", none and min(lost.values()) <= 100 * MOST_LOST),
+            ("no setting keeps it in service", not none and min(lost.values()) > 100 * MOST_LOST),
+            ("that setting loses it", any(lost[s] > 100 * MOST_LOST for s in kept)),
+            ("that setting keeps it in service", any(lost[s] <= 100 * MOST_LOST for s in few)),
+            ("the advised setting loses it", row["action"] in SETTINGS and lost[row["action"]] > 100 * MOST_LOST),
+            ("another is likelier", share[row["named"]] < min(SETTLED, max(share.values()))),
+            ("half of the samples have another", len(told) < 2 and max(share[s] for s in told) < 0.5),
+            ("it is lost less often", lost[row["kept"]] > min(lost.values()))) if it_is)

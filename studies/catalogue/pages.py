@@ -6,7 +6,7 @@ usage: pages.py GURNEY RESULTS TABLES PAGES
 
 PAGES gets items.md and overview.html, a page for each item, checks.md and tethers.md, and figures of the items; with
 --texts no figures, which need the results of all runs. --check writes nothing and ends with 1 where the texts of the
-pages are not those of the tables.
+pages are not those of the tables, or where the advice of overview.html is not what its numbers say.
 """
 
 import json
@@ -16,7 +16,8 @@ import sys
 
 import checks
 import overview
-from advice import ACTIONS, FLOOR, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, days, interval_words, percent
+from advice import (ACTIONS, FLOOR, LIFE_SUPPORT, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, action, days,
+                    interval_words, keeper, mark, percent, says, shares)
 from catalogue import VARIANCE, sheet_of
 from losses import SETTINGS
 from tables import FURTHER, much_better
@@ -54,10 +55,16 @@ class Catalogue:
 
 
 def decisions(advice, names):
-    """Each action with its items, the one to read first."""
+    """Each action with its items, the one to read first; with the settings where they conflict."""
+    def named(item):
+        row = advice.row(item)
+        if action(row) == "conflict":
+            return f"[{names[item]}]({item}.md) ({says(row)})"
+        return f"[{names[item]}]({item}.md)" + (f" ({keeper(row)} keeps it in service)" if keeper(row) else "")
+
     lines = []
-    for action, words in ACTIONS.items():
-        items = [f"[{names[item]}]({item}.md)" for item in names if advice.action(item) == action]
+    for each, words in ACTIONS.items():
+        items = [named(item) for item in names if action(advice.row(item)) == each]
         if items:
             lines += wrapped(f"- **{words}** ({len(items)}): {', '.join(items)}", "  ")
     return lines
@@ -69,16 +76,16 @@ def loss_of_all(advice, names):
     for item, name in names.items():
         cells = " | ".join(advice.words(item, quantity, setting)
                            for quantity in ("days", "lost") for setting in SETTINGS)
-        lines.append(f"| [{name}]({item}.md) | {cells} | {ACTIONS[advice.action(item)].lower()} |")
+        lines.append(f"| [{name}]({item}.md) | {cells} | {says(advice.row(item)).lower()} |")
     return lines
 
 
 def action_map(advice, floors, names, place):
-    """The setting with the least loss, by floor and level."""
+    """The setting with the fewest days, by floor and level."""
     columns = [f"{floor.removesuffix(' building')} {speed}" for floor in floors for speed in MAPPED]
     lines = ["| item | " + " | ".join(columns) + " |", "| --- " * (1 + len(columns)) + "|"]
     for item, name in names.items():
-        marks = (advice.mark(item, floor=floor, place=place, speed=speed) for floor in floors for speed in MAPPED)
+        marks = (mark(advice.row(item, floor, place, speed)) for floor in floors for speed in MAPPED)
         lines.append(f"| [{name}]({item}.md) | " + " | ".join(marks) + " |")
     return lines
 
@@ -117,15 +124,18 @@ def overview_page(advice, names, floors):
             *wrapped("**[Choose](overview.html)** floor, place, velocity and how many you have: a page of its own, which needs "
                      "no network."), "",
             *decisions(advice, names), "",
+            *wrapped("Keeps it in service: the chance that its service is lost (moved 1 m, or overturned) is not "
+                     f"above {percent(MOST_LOST)} %. {LIFE_SUPPORT}"), "",
             *wrapped("Straps keep more items in service, and throw them against the wall: [what they do](tethers.md). "
                      "What a fall or a torn line costs is an assumption with a range (`equipment/consequences.toml`): "
                      "put in what they cost you ([how](methods.md#what-to-do))."), "",
             "Days out of use and chance that its service is lost, with intervals of 95 %:", "",
             *loss_of_all(advice, names), "",
             "## By floor and level", "",
-            *wrapped("Floor and peak floor velocity [m/s]: the brakes with the least loss (off, on, locked: on with locked "
-                     "swivels); `?`: not settled; `+`: its service is lost in more "
-                     f"than {percent(MOST_LOST)} % all the same."), "",
+            *wrapped("Floor and peak floor velocity [m/s]: the brakes with the fewest days (off, on, locked: on with "
+                     "locked swivels); `?`: not settled, with the likeliest where it has the fewest days in at least "
+                     "half of the samples; `+`: with every setting its service is lost in more than "
+                     f"{percent(MOST_LOST)} %; `/on`: with the likeliest it is lost so often, with on it is not."), "",
             "Open floor:", "", *action_map(advice, floors, names, "open"), "",
             "Bay, with walls behind and beside it:", "", *action_map(advice, floors, names, "bay"), ""]
 
@@ -142,14 +152,13 @@ def item_table(catalogue, item, place):
 
 
 def loss_table(catalogue, advice, item):
-    lines = ["| floor | place | brakes off | on | locked | least |", "| --- " * 6 + "|"]
+    lines = ["| floor | place | brakes off | on | locked | fewest | advice |", "| --- " * 7 + "|"]
     for floor in catalogue.floors:
         for place in ("open", "bay"):
-            where = {"floor": floor, "place": place}
-            cells = " | ".join(advice.words(item, "days", setting, **where) for setting in SETTINGS)
-            row = advice.row(item, **where)
-            lines.append(f"| {floor.removesuffix(' building')} | {place} | {cells} | {row['best']}, "
-                         f"{100 * float(row['share']):.0f} % |")
+            row = advice.row(item, floor, place)
+            cells = " | ".join(interval_words(row, f"days_{setting}", days) for setting in SETTINGS)
+            lines.append(f"| {floor.removesuffix(' building')} | {place} | {cells} | {shares(row)} | "
+                         f"{says(row).lower()} |")
     return lines
 
 
@@ -210,7 +219,8 @@ def item_page(catalogue, advice, item, sheet):
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
         "## Expected days out of use", "",
-        f"At a peak floor velocity of {SPEED} m/s, with intervals of 95 %; least: setting, share of the samples:", "",
+        *wrapped(f"At a peak floor velocity of {SPEED} m/s, with intervals of 95 %; fewest: setting, share of the "
+                 "samples ([rule](methods.md#what-to-do)):"), "",
         *loss_table(catalogue, advice, item), "",
         "## Fragility", "",
         "Median peak floor velocity [m/s] (logarithmic standard deviation) or runs that exceed",
@@ -258,6 +268,7 @@ def stale(gurney, tables, folder):
         with open(os.path.join(folder, name), encoding="utf-8") as file:
             if file.read() != text:
                 yield f"{name} is not what pages.py writes"
+    yield from overview.untrue(tables, os.path.join(folder, "overview.html"))
 
 
 def main():

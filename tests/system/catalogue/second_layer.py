@@ -1,5 +1,5 @@
-"""The layer above the curves: halves of the motions, variance components, other suites, losses. Checks the functions
-on made-up numbers, and what the methods say of the losses.
+"""The layer above the curves: halves of the motions, variance components, other suites, losses, advice. Checks the
+functions on made-up numbers, what the methods say of the losses, and that the advice is true of the shipped ones.
 
 usage: second_layer.py SOURCE_DIR
 """
@@ -10,6 +10,7 @@ import math
 import os
 import statistics
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True
 source = sys.argv[1]
@@ -56,7 +57,6 @@ def check_suites():
 
 
 def check_losses():
-    import advice
     import losses
     # The worst counts: 30 days in 10 %, 0.1 days in the 20 % that move 1 m without a fall.
     values = {"overturned": 30, "moved 1 m": 0.1, "moved 0.1 m": 0}
@@ -103,8 +103,70 @@ def check_losses():
         old = shipped[row["item"], row["floor"], row["place"], str(row["pfv"])]
         assert old == {key: str(value) for key, value in row.items()}, (old, row)
     states(f"{losses.SAMPLES} samples")
+    # A tie counts for each; the best by the stated values need not be the likeliest.
+    samples = [({"off": 1, "on": 2}, {"off": 2, "on": 1}), ({"off": 1, "on": 1}, {"off": 1, "on": 1})]
+    assert losses.best_of(samples) == "off"
+    assert [losses.share_of(samples, s) for s in ("off", "on")] == ["0.50", "1.00"]
+    for row in shipped.values():
+        assert max(float(row[f"share_{s}"]) for s in losses.SETTINGS) > 0.33, row
     states(f"less than {100 * losses.SETTLED:.0f} % of the samples")
+
+
+def check_advice():
+    import advice
+    import losses
+    from overview import untrue
+    settings = losses.SETTINGS
+
+    def row(lost, share, best="off", by_cost=None):
+        """A row of losses.csv with what is lost, and the shares, in percent."""
+        return ({f"lost_{s}": str(value / 100) for s, value in zip(settings, lost)} | {"best": best, "best_by_cost":
+                by_cost or best} | {f"share_{s}": str(value / 100) for s, value in zip(settings, share)})
+
+    says = lambda *of, **more: [do(row(*of, **more)) for do in (advice.action, advice.says, advice.shares, advice.mark)]
+    hold, conflict = "Brakes do not keep it in service", "off: fewest days; on: keeps it in service"
+    assert says((42, 4, 5), (97, 1, 2)) == ["conflict", conflict, "off 97 %", "off/on"]  # a ventilator in a bay
+    assert says((90, 17, 7.5), (97, 1, 2))[1] == "off: fewest days; locked: keeps it in service"
+    assert says((42, 11, 12), (97, 1, 2)) == ["hold", hold, "off 97 %", "off+"]
+    assert says((42, 10.4, 12), (97, 1, 2))[0] == "conflict"  # shown as 10 %
+    assert says((5, 11, 12), (97, 1, 2)) == ["off", "Leave the brakes off", "off 97 %", "off"]
+    # Not settled: the likeliest first, whatever the means say; named alone in no column where it has less than half.
+    assert says((5, 4, 5), (28, 45, 27), by_cost="on") == ["open", "Not settled", "on 45 %, off 28 %", "?"]
+    assert says((5, 4, 5), (28, 60, 12))[2:] == ["on 60 %, off 28 %; least cost off", "on?"]
+    assert says((5, 4, 5), (95, 3, 2), by_cost="on")[2:] == ["off 95 %; least cost on", "off?"]
+    # A likely one that keeps it in service goes before the one that loses it least.
+    kept = "Not settled; on: keeps it in service"
+    assert says((20, 9, 1), (60, 30, 10))[1:] == [kept, "off 60 %, on 30 %", "off?/on"]
+    assert says((20, 9, 1), (30, 60, 10))[1::2] == [kept, "on?"]
+    assert says((20, 19, 1), (60, 30, 10))[3] == "off?/locked"
+    assert says((20, 19, 18), (60, 30, 10))[:2] == ["hold", hold]
+
+    for of in read("losses.csv"):
+        lost = {s: round(100 * float(of[f"lost_{s}"])) for s in settings}
+        limit, action = 100 * advice.MOST_LOST, advice.action(of)
+        assert (action == "hold") == (min(lost.values()) > limit) == (advice.mark(of).endswith("+")), of
+        if action == "conflict":
+            assert lost[of["best"]] > limit >= lost[advice.keeper(of)], of
+        if action in settings:
+            assert lost[action] <= limit and float(of[f"share_{action}"]) >= losses.SETTLED, of
+
+    # The page, and a page that says it again where a setting keeps the item in service.
+    path = os.path.join(source, "docs", "catalogue", "overview.html")
+    assert list(untrue(data, path)) == []
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
+    for old, new in ((conflict, hold), (hold, "Set the brakes"), ('"named":"off"', '"named":"on"'),
+                     ('"kept":"on"', '"kept":"off"')):
+        with tempfile.NamedTemporaryFile("w", suffix=".html", encoding="utf-8") as file:
+            file.write(page.replace(old, new))
+            file.flush()
+            assert next(untrue(data, file.name), None), (old, new)
     states(f"with a chance of more than {100 * advice.MOST_LOST:.0f} %")
+    states(advice.LIFE_SUPPORT)
+    text = " ".join(page.split())
+    for words in (advice.LIFE_SUPPORT, f"with a chance of at most {100 * advice.MOST_LOST:.0f} %",
+                  f"the share is below {100 * losses.SETTLED:.0f} %", "beds in a row hit each other"):
+        assert words in text, words
 
 
 def check_dispersion():
@@ -228,6 +290,7 @@ def check_sufficiency():
 check_halves()
 check_suites()
 check_losses()
+check_advice()
 check_dispersion()
 check_judgements()
 check_tethers()
