@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace gurney {
 namespace {
@@ -22,7 +23,10 @@ std::array<double, 6> losses(const EnergyAccount& e) {
 void EnergyBalance::observe(const EnergyAccount& now) {
   largest_energy_ = std::max({largest_energy_, now.kinetic, std::abs(now.work()), now.loss(),
                               std::abs(now.weight_energy), now.elastic});
-  largest_closure_ = std::max(largest_closure_, std::abs(now.closure(stored_at_start_)));
+  // A number that is none misses any balance; std::max would pass over it.
+  const double closure = std::abs(now.closure(stored_at_start_));
+  largest_closure_ = std::isfinite(closure) ? std::max(largest_closure_, closure)
+                                            : std::numeric_limits<double>::infinity();
   const auto then = losses(before_), here = losses(now);
   for (std::size_t i = 0; i < here.size(); ++i) given_back_ += std::max(then[i] - here[i], 0.0);
   before_ = now;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "engine/response/energy_account.h"
@@ -20,7 +21,7 @@ class EnergyBalance {
 
   void observe(const EnergyAccount& now);
 
-  /// Largest |closure| over the largest energy (stored, work or loss) [-].
+  /// Largest |closure| over the largest energy (stored, work or loss); infinite once a term is no number [-].
   double closure() const { return share(largest_closure_); }
   double numerical_loss() const { return share(before_.numerical_loss); }
   /// Energy without a source: the closure, what irreversible losses gave back, or what the
@@ -30,7 +31,10 @@ class EnergyBalance {
   std::string source() const;
 
  private:
-  double share(double energy) const { return largest_energy_ > 0 ? energy / largest_energy_ : 0; }
+  double share(double energy) const {
+    if (std::isinf(energy)) return energy;
+    return largest_energy_ > 0 ? energy / largest_energy_ : 0;
+  }
 
   double stored_at_start_;
   EnergyAccount before_;

@@ -7,8 +7,11 @@ namespace gurney {
 
 JointLog::JointLog(const Assembly& assembly, const SceneState& at_start)
     : assembly_(assembly), courses_(assembly.joints.size()) {
-  for (std::size_t j = 0; j < courses_.size(); ++j)
+  for (std::size_t j = 0; j < courses_.size(); ++j) {
     courses_[j].peak = std::abs(courses_[j].residual = motion(j, at_start));
+    // Open at rest: it would bear more than it holds.
+    if (assembly.joints[j].releases() && !at_start.joints[j].latched) courses_[j].released_at = 0;
+  }
 }
 
 /// q, or where a joint has none the angle between the part and its base.

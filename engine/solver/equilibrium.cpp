@@ -1,5 +1,7 @@
 #include "engine/solver/equilibrium.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,10 +27,17 @@ constexpr double kPseudoStep = 0.02;  // [s]; long against every period of the t
 constexpr int kMaxPseudoSteps = 3000;
 constexpr double kNearFloor = 0.02;    // [m]; points above do not stand on it
 constexpr double kRestMotion = 1e-12;  // [m] in one pseudo step
+constexpr double kPush = 1e-3;         // [rad] in the first pseudo step
+constexpr double kStablePush = 3e-3;  // [rad]; what is stable comes back, what is indifferent stays
+constexpr double kPushStep = 0.05;    // [s]
+constexpr int kPushSteps = 400;
 
 /// Implicit Euler steps that start from rest each time: M / tau^2 regularises Newton's method on
 /// the static problem, and the fixed point is an equilibrium.
-bool relax(const Assembly& standing, double pseudo_step, SceneState& scene) {
+/// @param stop  ends them, asked after each
+template <class Stop>
+bool relax(const Assembly& standing, double pseudo_step, int most, SceneState& scene,
+           const Stop& stop) {
   StageSolver solver(standing, {1e-10, 200});
   StageSolver::Output out;
   StageSolver::Input input;
@@ -40,7 +49,7 @@ bool relax(const Assembly& standing, double pseudo_step, SceneState& scene) {
   input.island = &all;
   input.loads = {input.tau, time, time + input.tau, true, nullptr};
   input.guess.resize(standing.items.size());
-  for (int i = 0; i < kMaxPseudoSteps; ++i) {
+  for (int i = 0; i < most; ++i) {
     input.start = &scene;
     if (!solver.solve(input, out) && !(out.residual < 1e-6)) return false;
     scene = out.end;
@@ -54,9 +63,55 @@ bool relax(const Assembly& standing, double pseudo_step, SceneState& scene) {
       state.velocity = Velocity();
     }
     if (!(motion < 1e3)) return false;
-    if (motion * pseudo_step < kRestMotion) return true;
+    if (motion * pseudo_step < kRestMotion || stop()) return true;
   }
   return false;
+}
+
+/// Likewise, with what follows where a latch would bear more than it holds: it is open.
+bool come_to_rest(const Assembly& standing, SceneState& scene) {
+  for (;;) {
+    const bool rests = relax(standing, kPseudoStep, kMaxPseudoSteps, scene, [] { return false; });
+    bool opened = false;
+    for (std::size_t j = 0; j < standing.joints.size(); ++j) {
+      JointState& joint = scene.joints[j];
+      if (standing.joints[j].past_release(joint) < -JointLaw::kReleaseDistance) continue;
+      joint.latched = false;
+      opened = true;
+    }
+    if (!opened) return rests;
+  }
+}
+
+/// The joint of a part that leaves its rest by itself once it is pushed, as a mast does that is too soft
+/// for what it carries and stands exactly upright. An angle that grows as exp(w t) grows by w^2 tau^2 in a
+/// pseudo step tau, one that swings falls so: 400 of 0.05 s tell w > 1.1 rad/s.
+std::optional<std::size_t> unstable_joint(const Assembly& standing, const SceneState& rest) {
+  for (std::size_t j = 0; j < standing.joints.size(); ++j) {
+    const Joint& joint = standing.joints[j].joint();
+    if (joint.kind == Joint::Kind::kFixed || joint.kind == Joint::Kind::kSlider ||
+        rest.joints[j].latched)
+      continue;
+    const auto bend = [&](const SceneState& scene) {
+      return scene.items[joint.base].rotation.conjugate() * scene.items[joint.part].rotation;
+    };
+    const Vector3 across = joint.axis.unitOrthogonal();
+    Vector3 about = joint.axis;
+    if (joint.kind != Joint::Kind::kHinge)  // in no direction of symmetry
+      about = (across + 0.7 * joint.axis.cross(across)).normalized();
+    SceneState pushed = rest;
+    State& part = pushed.items[joint.part];
+    const Vector3 spin = kPush / kPushStep * (part.rotation * about);
+    const Vector3 center = standing.items[joint.part].chassis.center_of_mass - joint.point;
+    part.velocity.chassis << spin.cross(part.rotation * center), spin;
+    double turned = 0;
+    relax(standing, kPushStep, kPushSteps, pushed, [&] {
+      turned = bend(rest).angularDistance(bend(pushed));
+      return turned > kStablePush || turned < kPush / 2;
+    });
+    if (turned > kStablePush) return j;
+  }
+  return {};
 }
 
 /// The item's contact with the floor has the constants of what it stands on, no damping here, and
@@ -207,19 +262,27 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   std::vector<BodyContact> contacts;
   FloorPoints(scene.items[index].model, mechanism, 0).collect(state, {}, kNearFloor, contacts);
   for (const BodyContact& contact : contacts) settled.contacts.emplace_back().contact = contact;
-  const bool stands = relax(standing, kPseudoStep, settled);
+  const bool stands = come_to_rest(standing, settled);
   const State& there = settled.items[0];
   const double tilt = std::acos(std::min(1.0, (there.rotation * Vector3::UnitZ()).z()));
   const bool on_casters = !scene.items[index].model.casters.empty();
   const bool rests = tilt < 0.2 && std::abs(there.position.z() - state.position.z()) < 0.1;
-  require(bodies.size() == 1 || stands,
-          "the item does not come to rest: its centre of mass lies outside its support, or a part "
-          "moves on its "
-          "joint by itself, which friction, a spring, a latch or a lock would hold");
-  require(stands && rests,
-          on_casters ? "the item does not stand on its casters: its centre of mass lies outside "
-                       "their support"
-                     : "the item does not stand on its base: its centre of mass lies outside it");
+  const auto refuse = [&](const std::string& why) {
+    const std::string& name = scene.items[index].name;
+    throw Error((name.empty() ? "the item" : "item '" + name + "'") + " does not " + why);
+  };
+  if (bodies.size() > 1 && !stands)
+    refuse(
+        "come to rest: its centre of mass lies outside its support, or a part moves on its "
+        "joint, which friction, a spring, a latch or a lock would hold");
+  if (!stands || !rests)
+    refuse(on_casters ? "stand on its casters: its centre of mass lies outside their support"
+                      : "stand on its base: its centre of mass lies outside it");
+  if (const auto joint = unstable_joint(standing, settled))
+    refuse(
+        fmt::format("come to rest: its part '{}' stands upright and falls from there once it is "
+                    "touched; a stiffer joint, friction, a latch or a lock would hold it",
+                    level.items[standing.joints[*joint].joint().part].name));
   LoadsState loads = state.loads;
   mechanism.loads.adopt_springs(standing.items[0].loads, there.loads, loads);
   const auto adopt_bodies = [&](const SceneState& found) {
@@ -255,7 +318,7 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   const Assembly free(sprung);
   SceneState trial = settled;
   trial.items[0].loads = free.items[0].loads.initial_state();
-  if (!relax(free, kPseudoStep, trial)) return;
+  if (!come_to_rest(free, trial)) return;
   mechanism.loads.adopt_springs(free.items[0].loads, trial.items[0].loads, loads);
   if (mechanism.loads.holds_at_start()) loads = trial.items[0].loads;
   adopt(trial);

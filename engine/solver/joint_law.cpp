@@ -100,6 +100,11 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
     turning(frame.col(2), add(turn + std::remainder(angle - turn, 2 * std::numbers::pi), true, 0));
     return result;
   }
+  // A ball without a spring damps w itself, however far it has turned.
+  if (joint_.kind == JointKind::kBall && joint_.stiffness == 0) {
+    for (int k = 0; k < 3 && joint_.damping > 0; ++k) turning(frame.col(k), add(0, true, 0));
+    return result;
+  }
   // All other rotations are held, or spring, by the rotation vector theta with theta_k' = (J' f_k) . w.
   const Vector3 theta = rotation_vector(relative);
   const Matrix3 to_rates = transposed_rate_matrix(theta);

@@ -220,6 +220,7 @@ std::optional<double> Stepper::locate_event(const Island& island, const SceneSta
   double low = 0, high = duration;
   double at_low = past_event(island, from);
   double at_high = past_event(island, second_.end);
+  if (!(at_low < 0)) return std::nullopt;  // the event lies before the step
   double trial = duration;
   for (int i = 0; i < kMaxEventTrials && high - low > 1e-15; ++i) {
     // Regula falsi on the step's length: the step ends at the event, and no law changes inside it.

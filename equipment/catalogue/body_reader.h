@@ -1,6 +1,8 @@
 #pragma once
 
+#include "engine/base/error.h"
 #include "engine/scene/equipment_model.h"
+#include "engine/scene/problems.h"
 #include "equipment/catalogue/quantity.h"
 
 namespace gurney::equipment {
@@ -35,16 +37,25 @@ void read_body(Quantities& in, const BodyMembers<T>& members, Uncertain<T>& resu
     });
     return;
   }
-  result.add([members, moments = in.vector("inertia_kg_m2", Range::positive(), Vector3::Ones()),
+  result.add(in.table().document(),
+             [members, spot = in.table().spot("inertia_kg_m2"),
+              moments = in.vector("inertia_kg_m2", Range::positive(), Vector3::Ones()),
               products = in.vector("inertia_products_kg_m2", Range::any(), Vector3::Zero())](
                  T& of_draw, Sampler& of) {
-    Matrix3& inertia = of_draw.*members.inertia;
-    inertia = of(moments).asDiagonal();
-    const Vector3 off_diagonal = of(products);
-    inertia(0, 1) = inertia(1, 0) = off_diagonal[0];
-    inertia(0, 2) = inertia(2, 0) = off_diagonal[1];
-    inertia(1, 2) = inertia(2, 1) = off_diagonal[2];
-  });
+               Matrix3& inertia = of_draw.*members.inertia;
+               inertia = of(moments).asDiagonal();
+               const Vector3 off_diagonal = of(products);
+               inertia(0, 1) = inertia(1, 0) = off_diagonal[0];
+               inertia(0, 2) = inertia(2, 0) = off_diagonal[1];
+               inertia(1, 2) = inertia(2, 1) = off_diagonal[2];
+               try {
+                 Problems problems;
+                 problems.inertia("", inertia, true);
+                 problems.finish();
+               } catch (const Error& error) {
+                 of.error(spot, error.what());
+               }
+             });
 }
 
 template <class T>

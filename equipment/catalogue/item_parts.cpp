@@ -112,11 +112,20 @@ Vector3 read_axis(Table& table, JointKind kind) {
   return Vector3::UnitZ();
 }
 
+/// A body's name, `item/NAME` in results; "chassis" is what others stand on.
+std::string read_name(Table& table) {
+  const std::string name = table.text("name");
+  if (table.has("name") &&
+      (name.empty() || name == "chassis" || name.find_first_of("/\n\r\t") != std::string::npos))
+    table.note("name", ": must not be empty or \"chassis\", or have a '/' or a line break");
+  return name;
+}
+
 }  // namespace
 
 Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescription>& before) {
   PartDescription fixed;
-  fixed.name = table.text("name");
+  fixed.name = read_name(table);
   fixed.base = read_carrier(table, "on", before);
   const auto kind = static_cast<JointKind>(table.choice("joint", kJointKinds));
   fixed.joint.kind = kind;
@@ -141,7 +150,9 @@ Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescript
 
 Uncertain<ContentDescription> read_content(Table table, const std::vector<PartDescription>& parts) {
   ContentDescription fixed;
-  fixed.name = table.text("name");
+  fixed.name = read_name(table);
+  if (std::ranges::find(parts, fixed.name, &PartDescription::name) != parts.end())
+    table.note("name", fmt::format(" = \"{}\": must differ from the names of parts", fixed.name));
   fixed.where = table.where("position_mm");
   fixed.on = read_carrier(table, "on", parts);
   Uncertain<ContentDescription> content(std::move(fixed));

@@ -143,7 +143,11 @@ Measure parse_measure(std::string_view text) {
       require(name.size() == all.size(), where + entry.name + " takes nothing in brackets");
       return measure;
     }
-    require(behind.ends_with(')'),
+    const std::size_t end = behind.find(')');
+    require(
+        end == std::string::npos || end + 1 == behind.size(),
+        where + "nothing may follow the bracket; a measure is asked for, without its component");
+    require(end != std::string::npos,
             where + "a period in seconds is needed, as in " + entry.name + "(1.0)");
     read_arguments(measure, behind.substr(0, behind.size() - 1), where);
     return measure;

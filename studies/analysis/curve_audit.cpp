@@ -80,6 +80,12 @@ std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& uni
                               rarer, audit.outcomes, audit.counted,
                               rarer == audit.exceeded ? "exceed" : "do not exceed", kFewOutcomes));
   }
+  if (audit.overturned_short > 0)
+    all.push_back(fmt::format(
+        "{} {} overturned without having moved so far and {} not exceed it; a limit state with "
+        "any_of counts both",
+        audit.overturned_short, audit.overturned_short == 1 ? "run" : "runs",
+        audit.overturned_short == 1 ? "does" : "do"));
   // Small factors are those of weak stripes: nothing is claimed beyond what was recorded.
   if (audit.factors.any() && audit.factors.above() > 0)
     all.push_back("scale factors " + audit.factors.text());

@@ -25,6 +25,7 @@ struct CurveAudit {
   const char* counted = "runs";            ///< of capacities: records or analysis cases
   std::size_t outcomes = 0, exceeded = 0;  ///< of these
   std::size_t overturned = 0;              ///< runs of an IDA
+  std::size_t overturned_short = 0;        ///< runs that overturned short of a limit of length
   std::size_t records = 0;
   double effective = 0, fewest = 0;  ///< records, and how many an interval needs; 0: no curve
   ScaleFactors factors;

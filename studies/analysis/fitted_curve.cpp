@@ -19,9 +19,12 @@ std::size_t overturned(const StudyData& data, std::size_t configuration) {
       [&](std::size_t run) { return outcomes[run] == name_of(Outcome::kOverturned); }));
 }
 
-CurveAudit audit_of(const StudyData& data, std::size_t configuration, const FittedCurve& fitted) {
+CurveAudit audit_of(const StudyData& data, std::size_t state, std::size_t configuration,
+                    const FittedCurve& fitted) {
   CurveAudit audit =
       outcome_audit(fitted.fit, fitted.observations, scale_factors(data, configuration));
+  // A cloud takes them as at least at the limit.
+  if (!fitted.by_cloud()) audit.overturned_short = data.overturned_short_of(state, configuration);
   audit.theta = {};
   if (fitted.by_cloud()) {
     audit.of_demands = true;
@@ -81,7 +84,7 @@ FittedCurve fitted_curve(const StudyData& data, std::size_t state, std::size_t c
     fitted.capacities = statistics::fit_capacities(fitted.brackets);
   }
   add_cloud(data, state, configuration, measure, fitted);
-  fitted.audit = audit_of(data, configuration, fitted);
+  fitted.audit = audit_of(data, state, configuration, fitted);
   return fitted;
 }
 

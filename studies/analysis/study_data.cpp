@@ -210,6 +210,19 @@ std::vector<statistics::Observation> StudyData::observations(
   return result;
 }
 
+std::size_t StudyData::overturned_short_of(std::size_t state, std::size_t configuration) const {
+  const LimitState& limit = limit_states().at(state);
+  if (limit.kind != LimitState::Kind::kAbove || units_of(limit.quantity) != "m") return 0;
+  const Quantity overturned{Quantity::Of::kItem, "time_of_overturning", limit.quantity.item, ""};
+  const std::vector<std::size_t>& runs = runs_.at(configuration);
+  const std::vector<bool> exceeds = exceedances(state, runs);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    count += !exceeds[i] && std::ranges::any_of(values_(runs[i], overturned),
+                                                [](double time) { return time >= 0; });
+  return count;
+}
+
 std::vector<statistics::CloudPoint> StudyData::cloud(std::size_t state, std::size_t configuration,
                                                      const RunMeasure& measure,
                                                      double floor) const {

@@ -102,6 +102,10 @@ class StudyData {
                                                     std::size_t configuration,
                                                     const RunMeasure& measure) const;
 
+  /// Runs whose item overturned before it had gone as far as a limit of length: they do not exceed it. 0 for
+  /// other states.
+  std::size_t overturned_short_of(std::size_t state, std::size_t configuration) const;
+
   /// The demand of a simple state above a limit, run by run: the largest over its items. Runs that
   /// overturned are at least at the limit or at their demand, whichever is more; runs that moved
   /// less than `floor` are at most there.

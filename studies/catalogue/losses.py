@@ -80,17 +80,20 @@ def probability(curve, speed, z, z_beta=0):
     @param z       score of the uncertainty of its median, larger is likelier
     @param z_beta  and of its dispersion
 
-    A curve of few outcomes is bounded by monotony: of each motion the run just above the velocity. Without a curve none
-    of the runs exceeds. Jeffreys' prior then gives Beta(1/2, runs + 1/2): near 0 the chance is
+    A curve of few outcomes, or none that could be fitted to them, is bounded by monotony: of each motion the run just
+    above the velocity. Where none of the runs exceeds, Jeffreys' prior gives Beta(1/2, runs + 1/2): near 0 the chance is
     x^2 / (2 runs) with x standard normal, whose |x| has the quantile of z at (1 + Phi(z)) / 2.
     """
+    above = curve.get("above", {}).get(speed)
+    bounded = above and not above.endswith("/0")
+    if not curve["theta"] and int(curve["exceed"]) and bounded:
+        return at_most(*map(int, above.split("/")), z)
     if not curve["theta"]:
         half = NORMAL.cdf(z) / 2 + 0.5
         return min(1, NORMAL.inv_cdf(min(half, 1 - 1e-12)) ** 2 / (2 * float(curve["runs"])))
     theta, beta = spread(curve, "theta", -z), spread(curve, "beta", z_beta)
     by_curve = 0.5 * math.erfc(-math.log(speed / theta) / beta / math.sqrt(2))
-    above = curve.get("above", {}).get(speed)
-    if int(curve["exceed"]) >= SUPPORTED or not above or above.endswith("/0"):
+    if int(curve["exceed"]) >= SUPPORTED or not bounded:
         return by_curve
     return min(by_curve, at_most(*map(int, above.split("/")), z))
 
@@ -215,7 +218,7 @@ def curves_of(tables):
     if os.path.exists(os.path.join(tables, "above.csv")):
         with open(os.path.join(tables, "above.csv"), newline="") as file:
             above = {tuple(row[name] for name in key): {speed: row[str(speed)] for speed in SPEEDS}
-                     for row in csv.DictReader(file)}
+                     for row in csv.DictReader(file) if row["measure"] == "pfv"}
     with open(os.path.join(tables, "fragility.csv"), newline="") as file:
         for row in csv.DictReader(file):
             if row["measure"] == "pfv":

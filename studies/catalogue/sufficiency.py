@@ -91,6 +91,7 @@ class Runs:
             settings = numpy.array([setting_of(text(name)) for name in file["configurations/name"][:]])
             self.floor, self.place, self.brakes = settings[file["runs/configuration"][:][run]].T
             self.motion = file["runs/record"][:][run]
+            self.ground = file["runs/intensity"][:][run]  # [m/s] PGV, larger
             self.measures = {name: numpy.log(file["runs"][name][:][run]) for name in ("pfv", "pfa")}
 
     def rows(self):

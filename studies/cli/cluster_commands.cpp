@@ -269,31 +269,31 @@ std::string state_of(const ShardStatus& shard) {
   return shard.process.empty() ? "stopped" : "running: " + shard.process;
 }
 
-/// Time that a running shard still takes [s]; 0: unknown, or nothing runs.
-double to_go(const ShardStatus& shard) {
-  if (shard.process.empty()) return 0;
-  return shard.seconds_per_task *
-         static_cast<double>(shard.tasks - std::min(shard.done, shard.tasks));
+/// Time that a shard still takes [s]; none: unknown, or it does not run.
+std::optional<double> to_go(const ShardStatus& shard) {
+  if (shard.done >= shard.tasks) return 0;
+  if (shard.process.empty() || !(shard.seconds_per_task > 0)) return {};
+  return shard.seconds_per_task * static_cast<double>(shard.tasks - shard.done);
 }
 
 findings::Table table_of(const std::vector<ShardStatus>& shards) {
   findings::Table table{"shards", "", {}};
   for (const ShardStatus& s : shards) {
-    const double time = to_go(s);
-    report::add_row(table,
-                    {{{"shard", "shard"}, fmt::format("{}/{}", s.shard.number, s.shard.count)},
-                     {{"", "cases"}, fmt::format("{} of {}", s.done, s.tasks)},
-                     {"analysis_cases", s.tasks},
-                     {"finished", s.done},
-                     {{"runs", "runs"}, s.counts.runs},
-                     {{"overturned", "overturned"}, s.counts.overturned},
-                     {{"", "failed"}, report::failed_runs(s.counts.failed, s.counts.untrusted)},
-                     {"failed", s.counts.failed},
-                     {"untrusted", s.counts.untrusted},
-                     {{"runs_per_second", "runs/s", {".1f"}}, s.runs_per_second},
-                     {{"", "to go"}, time > 0 ? duration_text(time) : std::string("-")},
-                     {"seconds_to_go", time},
-                     {{"state", "state"}, state_of(s)}});
+    const std::optional<double> time = to_go(s);
+    report::add_row(
+        table, {{{"shard", "shard"}, fmt::format("{}/{}", s.shard.number, s.shard.count)},
+                {{"", "cases"}, fmt::format("{} of {}", s.done, s.tasks)},
+                {"analysis_cases", s.tasks},
+                {"finished", s.done},
+                {{"runs", "runs"}, s.counts.runs},
+                {{"overturned", "overturned"}, s.counts.overturned},
+                {{"", "failed"}, report::failed_runs(s.counts.failed, s.counts.untrusted)},
+                {"failed", s.counts.failed},
+                {"untrusted", s.counts.untrusted},
+                {{"runs_per_second", "runs/s", {".1f"}}, s.runs_per_second},
+                {{"", "to go"}, time.value_or(0) > 0 ? duration_text(*time) : std::string("-")},
+                {"seconds_to_go", time ? findings::Value(*time) : findings::Value()},
+                {{"state", "state"}, state_of(s)}});
   }
   return table;
 }
@@ -301,7 +301,9 @@ findings::Table table_of(const std::vector<ShardStatus>& shards) {
 struct Total {
   std::size_t tasks = 0, done = 0, runs = 0, failed = 0, finished = 0, running = 0, damaged = 0,
               foreign = 0;
-  double rate = 0, to_go = 0;  ///< of those that run; the longest
+  double rate = 0;                  ///< of those that run
+  std::optional<double> to_go = 0;  ///< the longest; none: of one it is unknown, or it does not run
+  double running_to_go = 0;         ///< the longest of those that run
 };
 
 Total total_of(const std::vector<ShardStatus>& shards) {
@@ -314,10 +316,12 @@ Total total_of(const std::vector<ShardStatus>& shards) {
     all.damaged += s.damaged;
     all.foreign += s.foreign;
     all.finished += s.done == s.tasks;
+    const std::optional<double> time = to_go(s);
+    all.to_go = time && all.to_go ? std::optional(std::max(*all.to_go, *time)) : std::nullopt;
     if (s.process.empty()) continue;
     ++all.running;
     all.rate += s.runs_per_second;
-    all.to_go = std::max(all.to_go, to_go(s));
+    all.running_to_go = std::max(all.running_to_go, time.value_or(0));
   }
   return all;
 }
@@ -357,13 +361,13 @@ int status_command(const StatusOptions& options) {
   known.json("analysis_cases", all.tasks).json("finished", all.done).json("runs", all.runs);
   known.json("failed", all.failed).json("damaged_parts", all.damaged);
   known.json("foreign_analysis_cases", all.foreign).json("runs_per_second", all.rate);
-  known.json("seconds_to_go", all.to_go);
-  known.say(
-      fmt::format("{} of {} analysis cases, {} runs, {} failed; {} of {} shards finished, {} "
-                  "running{}{}",
-                  all.done, all.tasks, all.runs, all.failed, all.finished, shards.size(),
-                  all.running, all.rate > 0 ? fmt::format(", {:.1f} runs/s", all.rate) : "",
-                  all.to_go > 0 ? fmt::format(", {} to go", duration_text(all.to_go)) : ""));
+  known.json("seconds_to_go", all.to_go ? findings::Value(*all.to_go) : findings::Value());
+  known.say(fmt::format(
+      "{} of {} analysis cases, {} runs, {} failed; {} of {} shards finished, {} "
+      "running{}{}",
+      all.done, all.tasks, all.runs, all.failed, all.finished, shards.size(), all.running,
+      all.rate > 0 ? fmt::format(", {:.1f} runs/s", all.rate) : "",
+      all.running_to_go > 0 ? fmt::format(", {} to go", duration_text(all.running_to_go)) : ""));
   if (all.damaged > 0)
     known.say(fmt::format("{} damaged parts, whose runs will be repeated", all.damaged));
   if (all.foreign > 0)

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -8,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "engine/base/number_text.h"
 
 namespace gurney::cli {
 
@@ -24,8 +28,8 @@ class Options {
     if constexpr (std::is_same_v<T, bool>)
       return command_.add_flag(names, value, help);
     else
-      return named(without_sign<T>(command_.add_option(only_names(names), value, help)), names,
-                   is_number(value));
+      return named(finite<T>(without_sign<T>(command_.add_option(only_names(names), value, help))),
+                   names, is_number(value));
   }
 
   /// An option whose value is handed to `take`.
@@ -52,6 +56,13 @@ class Options {
     return (*this)("-j,--threads", threads, help)->check(CLI::Range(1, 4096));
   }
 
+  /// A check of an option: a number above 0.
+  static std::function<std::string(const std::string&)> positive() {
+    return [](const std::string& text) {
+      return number(text).value_or(0) > 0 ? std::string() : text + ": must be a number > 0";
+    };
+  }
+
   const CLI::App& program() const { return *command_.get_parent(); }
 
  private:
@@ -66,6 +77,18 @@ class Options {
                   std::is_same_v<T, std::vector<std::size_t>>)
       option->check(std::function<std::string(const std::string&)>([](const std::string& text) {
         return text.starts_with('-') ? text + ": must be a whole number, 0 or more" : std::string();
+      }));
+    return option;
+  }
+  /// Refuses `nan` and `inf`, which CLI11 takes for numbers within any range.
+  template <class T>
+  static CLI::Option* finite(CLI::Option* option) {
+    if constexpr (std::is_floating_point_v<T> || std::is_same_v<T, std::optional<double>> ||
+                  std::is_same_v<T, std::vector<double>>)
+      option->check(std::function<std::string(const std::string&)>([](const std::string& text) {
+        return std::isfinite(std::strtod(text.c_str(), nullptr))
+                   ? std::string()
+                   : text + ": must be a finite number";
       }));
     return option;
   }

@@ -13,6 +13,8 @@
 #include "studies/hospital/hospital_answer.h"
 #include "studies/report/hospital_report.h"
 #include "studies/results/output_files.h"
+#include "studies/results/study_reader.h"
+#include "studies/run/study_identity.h"
 
 namespace gurney::cli {
 namespace {
@@ -40,6 +42,17 @@ int run_hospital(const HospitalOptions& options, const std::string& job) {
   return run_study(run);
 }
 
+/// Refuses results whose runs are of another building, record or covering than the hospital's.
+void check_results(const std::string& path, const study::Hospital& hospital,
+                   const study::Consequences& consequences) {
+  if (!hospital.study) return;
+  const study::StudyReader file(path);
+  const std::string keys =
+      study::run_difference(file.job_text(), study_job(hospital, consequences));
+  require(keys.empty(),
+          fmt::format("{}: is not of the study that {} becomes: {}", path, hospital.path, keys));
+}
+
 int hospital(const HospitalOptions& options) {
   options.figure.check();
   const study::Hospital hospital = study::read_hospital(options.file);
@@ -57,6 +70,7 @@ int hospital(const HospitalOptions& options) {
     if (code != 0 && code != 3) return code;
     request.results = options.run;
   }
+  if (!request.results.empty()) check_results(request.results, hospital, consequences);
   const study::HospitalAnswer answer = hospital_answer(hospital, consequences, request);
   options.figure.write([&] { return figures::hospital_figure(hospital, answer); }, true);
   print_findings(report::hospital_findings(hospital, answer), options.json);

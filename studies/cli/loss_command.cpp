@@ -56,7 +56,7 @@ void add_loss(Commands& commands) {
         add.single("--at NUMBER", options.at,
                    "Expected loss at this intensity, from curves, in the unit of the levels; "
                    "repeatable")
-            ->check(CLI::PositiveNumber);
+            ->check(Options::positive());
         add_hazard_option(add, options.assessed_by);
         add_units_option(add, options.units);
         add_figure_option(add, options.figure,

@@ -281,9 +281,17 @@ void check_output(const RunOutput& output) {
   files.check(output.log().string());
 }
 
+/// What the engine refuses names items of this job.
+auto simulated(const study::PreparedRun& run, const std::string& job) {
+  try {
+    return run_judged(run.facts.scene, run.facts.floor, run.facts.settings, threads_or_all());
+  } catch (const Error& error) {
+    throw Error(job + ": " + error.what());
+  }
+}
+
 Response run_and_write(const study::PreparedRun& run, const RunOutput& output) {
-  auto [response, seconds] =
-      run_judged(run.facts.scene, run.facts.floor, run.facts.settings, threads_or_all());
+  auto [response, seconds] = simulated(run, output.job);
   {
     const SignalsHeld until_written;
     study::OutputFiles files(output.overwrite);

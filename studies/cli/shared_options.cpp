@@ -137,17 +137,18 @@ std::string NamedFigures::bytes(const std::string& svg) const {
   return picture::written(svg, picture::format_of("figure" + suffix()), style());
 }
 
-void add_figure_style(Options& add, FigureStyle& style) {
-  add("--width WIDTH", style.width,
-      "Width of the figure: 85mm, 17cm, 3.5in, 240pt, 700px (default: its own)");
-  add("--grey", style.grey, "Grey and dashed lines instead of colours");
+std::array<CLI::Option*, 2> add_figure_style(Options& add, FigureStyle& style) {
+  return {add("--width WIDTH", style.width,
+              "Width of the figure: 85mm, 17cm, 3.5in, 240pt, 700px (default: its own)"),
+          add("--grey", style.grey, "Grey and dashed lines instead of colours")};
 }
 
 void add_figure_option(Options& add, FigureFile& file, const std::string& description,
                        const std::string& names, const std::string& replaces) {
-  add(names, file.path, description + " (.svg, .pdf or .png)");
-  add_figure_style(add, file);
-  add("--overwrite", file.overwrite, "Replace " + replaces);
+  CLI::Option* const figure = add(names, file.path, description + " (.svg, .pdf or .png)");
+  for (CLI::Option* const style : add_figure_style(add, file)) style->needs(figure);
+  CLI::Option* const overwrite = add("--overwrite", file.overwrite, "Replace " + replaces);
+  if (replaces == kReplacesFigure) overwrite->needs(figure);
 }
 
 void add_figure_format(Options& add, NamedFigures& figures) {

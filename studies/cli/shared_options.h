@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -85,13 +86,17 @@ struct NamedFigures : FigureStyle {
   std::string bytes(const std::string& svg) const;
 };
 
-void add_figure_style(Options& add, FigureStyle& style);
+/// The options of the style.
+std::array<CLI::Option*, 2> add_figure_style(Options& add, FigureStyle& style);
 
+inline constexpr const char* kReplacesFigure = "a figure that exists";
+
+/// Options of the style need one that names the file, and so does --overwrite unless it replaces other files too.
 /// @param names     of the option that names the file
 /// @param replaces  with --overwrite
 void add_figure_option(Options& add, FigureFile& file, const std::string& description,
                        const std::string& names = "--figure FILE",
-                       const std::string& replaces = "a figure that exists");
+                       const std::string& replaces = kReplacesFigure);
 void add_figure_format(Options& add, NamedFigures& figures);
 
 /// The file of an item or of other data on the command line: a name of the catalogue, or a path.

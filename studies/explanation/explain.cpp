@@ -36,6 +36,9 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
                    .time_of_peak_displacement = d.time_of_peak_displacement,
                    .residual_displacement = d.residual_displacement,
                    .peak_velocity = d.peak_velocity,
+                   .peak_travel = std::fmax(0, d.peak_travel),  // which may be no number
+                   .peak_swing = std::fmax(0, d.peak_swing),
+                   .stop_speed = std::fmax(0, d.largest_stop_speed),
                    .tilt = {},
                    .grip = {},
                    .first_lifted = {},

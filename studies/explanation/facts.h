@@ -92,6 +92,9 @@ struct ItemFacts {
   double peak_displacement = 0, time_of_peak_displacement = 0;  ///< [m], [s]
   double residual_displacement = 0;                             ///< [m]
   double peak_velocity = 0;                                     ///< [m/s]
+  double peak_travel = 0,
+         peak_swing = 0;  ///< of a part on its joint [m], [rad]; 0: it does not move so
+  double stop_speed = 0;  ///< with which a part met a stop of its joint; 0: it did not [m/s]
   TiltMargin tilt;
   GripMargin grip;
   std::string first_lifted, first_skidded;  ///< casters; empty: none

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/units.h"
+#include "studies/explanation/events.h"
 
 namespace gurney::explanation {
 namespace {
@@ -32,6 +33,13 @@ std::string uplift_text(const Event& event) {
   if (of.together > 0) text += fmt::format(", all {} for {:.3g} s", of.casters, of.together);
   return text + fmt::format("; a single caster for {:.3g} s at most ({}): {}", of.longest,
                             of.longest_of, event.part);
+}
+
+/// What a part met on its joint; empty: nothing.
+std::string met_a_stop(const ItemFacts& item, const UnitSystem& units) {
+  return item.stop_speed > 0
+             ? fmt::format(", and met its stop with {}", units.fixed(item.stop_speed, "m/s", 2))
+             : "";
 }
 
 }  // namespace
@@ -103,8 +111,17 @@ std::string sentence(const Predictability& of) {
       change, of.time_of_peaks);
 }
 
-std::string did_nothing(const ItemFacts& item) {
-  return item.name + " did nothing: it moved less than 1 mm and hardly tilted.";
+bool moved_on_joint(const ItemFacts& item) {
+  return item.peak_travel >= kVisible || item.peak_swing >= Predictability::kLeastTilt;
+}
+
+std::string stayed(const ItemFacts& item, const UnitSystem& units) {
+  if (!moved_on_joint(item))
+    return item.name + " did nothing: it moved less than 1 mm and hardly tilted.";
+  return fmt::format("{} moved on its joint by up to {}{}.", item.name,
+                     item.peak_travel >= kVisible ? length(item.peak_travel, units)
+                                                  : angle(item.peak_swing, units),
+                     met_a_stop(item, units));
 }
 
 std::string sentence(const Event& event, const UnitSystem& units) {
@@ -168,14 +185,16 @@ std::string headline(const Explanation& of) {
       return fmt::format("{} rocked and did not overturn: its tilt reached {:.0f} % of critical.",
                          item.name, 100 * item.tilt.ratio());
     case Finding::kMoved:
-      return fmt::format("{} moved up to {} (at {:.2f} s) and hit nothing.", item.name,
-                         length(item.peak_displacement, of.units), item.time_of_peak_displacement);
+      return fmt::format("{} moved up to {} (at {:.2f} s){}.", item.name,
+                         length(item.peak_displacement, of.units), item.time_of_peak_displacement,
+                         item.stop_speed > 0 ? met_a_stop(item, of.units) : " and hit nothing");
     case Finding::kStill:
       break;
   }
-  return of.items.size() == 1
-             ? did_nothing(item)
-             : "No item did anything: each moved less than 1 mm and hardly tilted.";
+  const auto moved = std::ranges::find_if(of.items, moved_on_joint);
+  if (of.items.size() == 1 || moved != of.items.end())
+    return stayed(moved != of.items.end() ? *moved : item, of.units);
+  return "No item did anything: each moved less than 1 mm and hardly tilted.";
 }
 
 }  // namespace gurney::explanation

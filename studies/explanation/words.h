@@ -29,7 +29,8 @@ std::string sentence(const Predictability& of);
 /// An event of an item, without its time and the item's name.
 std::string sentence(const Event& event, const study::UnitSystem& units);
 
-std::string did_nothing(const ItemFacts& item);
+/// An item that hardly moved, or a part that did so on its joint only.
+std::string stayed(const ItemFacts& item, const study::UnitSystem& units);
 
 /// The finding of the explained item in one sentence, without a line break.
 std::string headline(const Explanation& of);

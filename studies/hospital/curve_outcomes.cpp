@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -9,19 +11,30 @@
 #include "engine/base/error.h"
 #include "engine/base/input_file.h"
 #include "engine/base/number_text.h"
+#include "engine/base/random/normal_draw.h"
 #include "engine/config/nearest_name.h"
 #include "equipment/catalogue/data_folder.h"
 #include "studies/hospital/outcomes.h"
+#include "studies/statistics/special.h"
 
 namespace gurney::study {
 namespace {
 
 constexpr const char *kFloorVelocity = "pfv", *kGroundVelocity = "PGV larger";
 constexpr double kNormal95 = 1.959963984540054;
+constexpr double kSameVelocity = 1e-9;  ///< rounding of a file, over the velocity
+constexpr std::size_t kSupported =
+    10;  ///< runs that exceed; the parameters of a curve of fewer are loose
 
 /// A capacity of ln theta + beta z, and the standard error of ln theta.
 struct Capacity {
   double log_theta, beta, error;
+};
+
+/// How many of the motions exceed at a velocity or just above it.
+struct Count {
+  double velocity;
+  std::size_t exceed, motions;
 };
 
 /// Equipment, floor, place, brakes, measure.
@@ -29,14 +42,26 @@ using Setting = std::tuple<std::string, std::string, std::string, std::string, s
 
 struct State {
   std::string name;
-  std::optional<Capacity> capacity;  ///< none: no run reaches it
+  std::optional<Capacity> capacity;         ///< none: no curve
+  std::optional<std::size_t> exceed, runs;  ///< where the table has these columns
+  std::vector<Count> counts;                ///< by rising velocity
+
+  bool few() const { return !capacity || (exceed && *exceed < kSupported); }
 };
 
-/// A table in the columns of docs/catalogue/data/fragility.csv.
+using States = std::map<Setting, std::vector<State>>;
+
+State& state_in(States& states, const Setting& setting, const std::string& name) {
+  std::vector<State>& of = states[setting];
+  const auto found = std::ranges::find(of, name, &State::name);
+  return found != of.end() ? *found : of.emplace_back(State{name, {}, {}, {}, {}});
+}
+
+/// A table in the columns of docs/catalogue/data/fragility.csv, or of above.csv, which has one of counts
+/// `k/n` for each velocity.
 class CurveFile {
  public:
-  CurveFile(const std::string& path, std::map<Setting, std::vector<State>>& into)
-      : path_(path), into_(into) {
+  CurveFile(const std::string& path, States& into) : path_(path), into_(into) {
     std::istringstream text(read_input_file(path));
     std::string line;
     while (std::getline(text, line)) {
@@ -45,8 +70,10 @@ class CurveFile {
       cells_ = csv_row(line);
       if (columns_.empty())
         take_titles();
+      else if (velocities_.empty())
+        take_curve();
       else
-        take_row();
+        take_counts();
     }
   }
 
@@ -56,26 +83,43 @@ class CurveFile {
   }
 
   void take_titles() {
-    for (std::size_t i = 0; i < cells_.size(); ++i) columns_[cells_[i].text] = i;
-    for (const char* name : {"item", "floor", "place", "brakes", "limit_state", "measure", "theta",
-                             "theta_low", "theta_high", "beta", "reason"})
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      columns_[cells_[i].text] = i;
+      const std::optional<double> velocity = number(cells_[i].text);
+      if (velocity && *velocity > 0) velocities_.emplace_back(*velocity, cells_[i].text);
+    }
+    std::ranges::sort(velocities_);
+    std::vector<const char*> needed = {"item",   "floor",       "place",
+                                       "brakes", "limit_state", "measure"};
+    if (velocities_.empty())
+      needed.insert(needed.end(), {"theta", "theta_low", "theta_high", "beta", "reason"});
+    for (const char* name : needed)
       if (!columns_.contains(name)) fail(1, fmt::format("no column '{}'", name));
   }
 
-  const std::string& text(const char* column) const {
+  const CsvCell& cell(const std::string& column) const {
     const std::size_t i = columns_.at(column);
     if (i >= cells_.size()) fail(1, fmt::format("no value in the column '{}'", column));
-    return cells_[i].text;
+    return cells_[i];
   }
+  const std::string& text(const std::string& column) const { return cell(column).text; }
 
   std::optional<double> value(const char* column) const {
-    const std::string& cell = text(column);
-    if (cell.empty() || cell == "inf") return {};
-    const std::optional<double> found = number(cell);
+    const std::string& stated = text(column);
+    if (stated.empty() || stated == "inf") return {};
+    const std::optional<double> found = number(stated);
     if (!found || *found < 0)
-      fail(cells_[columns_.at(column)].column,
-           fmt::format("{} = '{}': must be a number >= 0", column, cell));
+      fail(cell(column).column, fmt::format("{} = '{}': must be a number >= 0", column, stated));
     return found;
+  }
+
+  std::optional<std::size_t> whole(const char* column) const {
+    if (!columns_.contains(column)) return {};
+    const std::optional<double> found = value(column);
+    if (found && *found != std::floor(*found))
+      fail(cell(column).column,
+           fmt::format("{} = '{}': must be a whole number >= 0", column, text(column)));
+    return found ? std::optional(static_cast<std::size_t>(*found)) : std::nullopt;
   }
 
   /// Half the 95 % interval of ln theta over 1.96; from one end where the other is not bounded.
@@ -90,49 +134,99 @@ class CurveFile {
     return sides > 0 ? width / sides / kNormal95 : 0;
   }
 
-  /// Without a curve the likelihood is highest for a step: where outcomes are separated at the
-  /// intensity that the reason names, or between two; nowhere if no run exceeds.
-  std::optional<Capacity> step() const {
-    std::string_view reason = text("reason");
-    if (reason.starts_with("no run exceeds") || reason.empty()) return {};
-    std::vector<double> named;
-    while (!reason.empty()) {
-      if (reason.front() >= '0' && reason.front() <= '9') {
-        if (const auto found = take_number(reason)) named.push_back(*found);
-      } else {
-        reason.remove_prefix(1);
-      }
-    }
-    if (named.empty() || !(named.front() > 0)) return {};
-    const double theta = named.size() > 1 ? std::sqrt(named[0] * named[1]) : named[0];
-    return Capacity{std::log(theta), 0, 0};
+  State& state() const {
+    return state_in(into_,
+                    {text("item"), text("floor"), text("place"), text("brakes"), text("measure")},
+                    text("limit_state"));
   }
 
-  void take_row() {
+  void take_curve() {
     const std::optional<double> theta = value("theta"), beta = value("beta");
-    State state{text("limit_state"), {}};
+    State& of = state();
+    of.exceed = whole("exceed");
+    of.runs = whole("runs");
+    if (!of.exceed && text("reason").starts_with("no run exceeds")) of.exceed = 0;
     if (theta && beta && *theta > 0 && *beta > 0)
-      state.capacity = Capacity{std::log(*theta), *beta, error_of(*theta)};
-    else
-      state.capacity = step();
-    into_[{text("item"), text("floor"), text("place"), text("brakes"), text("measure")}].push_back(
-        std::move(state));
+      of.capacity = Capacity{std::log(*theta), *beta, error_of(*theta)};
+  }
+
+  void take_counts() {
+    State& of = state();
+    for (const auto& [velocity, title] : velocities_) {
+      const std::string& stated = text(title);
+      const std::size_t slash = stated.find('/');
+      const std::optional<double> exceed = number(stated.substr(0, slash)),
+                                  motions = slash == std::string::npos
+                                                ? std::nullopt
+                                                : number(stated.substr(slash + 1));
+      if (!exceed || !motions || !(0 <= *exceed && *exceed <= *motions) ||
+          *exceed != std::floor(*exceed) || *motions != std::floor(*motions))
+        fail(cell(title).column,
+             fmt::format("{} = '{}': must be k/n, k of n motions that exceed", title, stated));
+      if (*motions > 0)
+        of.counts.push_back(
+            {velocity, static_cast<std::size_t>(*exceed), static_cast<std::size_t>(*motions)});
+    }
   }
 
   std::string path_;
-  std::map<Setting, std::vector<State>>& into_;
+  States& into_;
   std::map<std::string, std::size_t> columns_;
+  std::vector<std::pair<double, std::string>> velocities_;  ///< with their titles
   std::vector<CsvCell> cells_;
   std::size_t line_ = 0;
+};
+
+/// The score below which a piece reaches a state of which k of n outcomes are known, as a function of the
+/// replicate's score s: that of the chance p, the quantile of Beta(k + 1/2, n - k + 1/2) (Jeffreys) at Phi(-s).
+/// Linear between scores 0.1 apart.
+class Threshold {
+ public:
+  Threshold(std::size_t exceed, std::size_t outcomes) {
+    const double k = static_cast<double>(exceed), n = static_cast<double>(outcomes);
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      const double p = statistics::beta_quantile(normal_cdf(-score(static_cast<double>(i))),
+                                                 k + 0.5, n - k + 0.5);
+      of_[i] = normal_quantile(std::clamp(p, 1e-12, 1 - 1e-12));
+    }
+  }
+
+  double operator()(double shift) const {
+    const double at = std::clamp((shift + kEnd) / kStep, 0.0, static_cast<double>(kPoints - 1));
+    const auto i = std::min(kPoints - 2, static_cast<std::size_t>(at));
+    return std::lerp(of_[i], of_[i + 1], at - static_cast<double>(i));
+  }
+
+ private:
+  static constexpr double kEnd = 4, kStep = 0.1;
+  static constexpr std::size_t kPoints = 81;
+  static double score(double i) { return -kEnd + kStep * i; }
+
+  std::array<double, kPoints> of_{};
+};
+
+/// A state of one piece at one level: reached by a score below all that is known allows.
+struct Reach {
+  Reached state = 0;
+  std::optional<Capacity> capacity;
+  std::optional<Threshold> threshold;
+
+  bool operator()(double log_im, double score, double shift) const {
+    if (!capacity && !threshold) return false;
+    return (!capacity ||
+            log_im > capacity->log_theta + capacity->error * shift + capacity->beta * score) &&
+           (!threshold || score < (*threshold)(shift));
+  }
 };
 
 class CurveOutcomes : public OutcomeSource {
  public:
   CurveOutcomes(const Hospital& hospital, const Consequences& consequences, double correlation)
-      : hospital_(hospital), correlation_(correlation) {
+      : hospital_(hospital), correlation_(correlation), consequences_(consequences) {
     std::vector<std::string> files = hospital.curves;
     const std::string data = equipment::find_data_folder().path + "/docs/catalogue/data/";
-    if (files.empty()) files = {data + "fragility.csv", data + "more_states.csv"};
+    if (files.empty())
+      files = {data + "fragility.csv", data + "more_states.csv", data + "above.csv"};
     for (const std::string& file : files) CurveFile(file, settings_);
     for (const LimitState& state : consequences.limit_states()) states_.push_back(state.name);
     for (const auto& [setting, states] : settings_)
@@ -149,12 +243,16 @@ class CurveOutcomes : public OutcomeSource {
     const auto found = settings_.find({item.equipment, storey.floor, item.place,
                                        brakes_names()[static_cast<std::size_t>(brakes)], measure});
     if (found == settings_.end()) refuse(item, storey, brakes, measure);
-    std::vector<std::pair<Reached, Capacity>> capacities;
-    for (const State& state : found->second)
-      if (state.capacity) capacities.emplace_back(bit(state.name), *state.capacity);
+    note_missing(item, found->second);
     std::vector<double> log_im;
-    for (const double level : hospital_.levels)
-      log_im.push_back(std::log(level * storey.amplification.value_or(1)));
+    std::vector<std::vector<Reach>> reaches;
+    for (const double level : hospital_.levels) {
+      const double velocity = level * storey.amplification.value_or(1);
+      log_im.push_back(std::log(velocity));
+      reaches.emplace_back();
+      for (const State& state : found->second)
+        reaches.back().push_back(reach_of(state, velocity, item.equipment));
+    }
     const double scatter = storey.scatter, own = std::sqrt(1 - correlation_),
                  common = std::sqrt(correlation_);
     return [=](std::size_t level, const MotionSample& motion, const PieceSample& piece,
@@ -162,13 +260,68 @@ class CurveOutcomes : public OutcomeSource {
       const double im = log_im[level] + scatter * motion.floor;
       const double score = common * motion.common + own * piece.capacity;
       Reached reached = 0;
-      for (const auto& [state, of] : capacities)
-        if (im > of.log_theta + of.error * replicate.shift + of.beta * score) reached |= state;
+      for (const Reach& of : reaches[level])
+        if (of(im, score, replicate.shift)) reached |= of.state;
       return reached;
     };
   }
 
+  std::vector<std::string> cautions() const override {
+    std::vector<std::string> all;
+    const auto add = [&](const std::map<std::string, std::set<std::string>>& of,
+                         const std::string& text) {
+      for (const auto& [what, items] : of)
+        all.push_back(fmt::format("{}: {} ({})", what, text, fmt::join(items, ", ")));
+    };
+    add(missing_, "no curve of this limit state, which counts as never reached");
+    add(beyond_,
+        "beyond the runs of the curves, which are extrapolated; chances of few outcomes are those "
+        "at "
+        "the highest velocity, where they were at least so large");
+    add(loose_,
+        "too few runs exceed for a curve, and no table counts them by velocity; the curve is "
+        "taken, or "
+        "without one the state counts as never reached");
+    return all;
+  }
+
  private:
+  /// What is known of a state at a velocity. Of few outcomes: as a stronger shaking is no safer, the chance is
+  /// at most that of the motions just above; of none in any run, that of all runs.
+  Reach reach_of(const State& state, double velocity, const std::string& item) const {
+    Reach reach{bit(state.name), state.capacity, {}};
+    if (!state.counts.empty() && velocity > state.counts.back().velocity * (1 + kSameVelocity))
+      beyond_[fmt::format("{:g} m/s", velocity)].insert(item);
+    if (!state.few()) return reach;
+    if (state.exceed == 0 && state.runs.value_or(0) > 0) {
+      reach.threshold = Threshold(0, *state.runs);
+    } else if (!state.counts.empty()) {
+      auto above = std::ranges::find_if(state.counts, [&](const Count& count) {
+        return count.velocity * (1 + kSameVelocity) >= velocity;
+      });
+      if (above == state.counts.end()) --above;
+      reach.threshold = Threshold(above->exceed, above->motions);
+    } else {
+      loose_[state.name].insert(item);
+    }
+    return reach;
+  }
+
+  /// Limit states with a consequence for the item that none of its curves has.
+  void note_missing(const HospitalItem& item, const std::vector<State>& states) const {
+    for (std::size_t i = 0; i < consequences_.limit_states().size(); ++i) {
+      const LimitState& asked = consequences_.limit_states()[i];
+      const std::string& name = asked.name;
+      if (consequences_.of(item.equipment, i) == nullptr) continue;
+      // What stands on the floor has nowhere to fall.
+      if (asked.is_simple() && asked.quantity.column == "time_of_fall") continue;
+      if (std::ranges::find(states, name, &State::name) != states.end()) continue;
+      std::vector<std::string> known;
+      for (const State& state : states) known.push_back(state.name);
+      missing_[fmt::format("'{}'{}", name, config::near_name(name, known))].insert(item.equipment);
+    }
+  }
+
   Reached bit(const std::string& state) const {
     return Reached{1} << (std::ranges::find(states_, state) - states_.begin());
   }
@@ -198,8 +351,11 @@ class CurveOutcomes : public OutcomeSource {
 
   const Hospital& hospital_;
   double correlation_;
-  std::map<Setting, std::vector<State>> settings_;
+  const Consequences& consequences_;
+  States settings_;
   std::vector<std::string> states_;
+  // What to caution of, with the items that it concerns; collected as outcomes are asked for.
+  mutable std::map<std::string, std::set<std::string>> missing_, beyond_, loose_;
 };
 
 }  // namespace

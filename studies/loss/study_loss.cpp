@@ -12,6 +12,7 @@
 #include "engine/base/error.h"
 #include "engine/config/document.h"
 #include "engine/config/nearest_name.h"
+#include "studies/analysis/curve_audit.h"
 #include "studies/analysis/demand_runs.h"
 #include "studies/analysis/scale_factors.h"
 #include "studies/statistics/quantiles.h"
@@ -69,6 +70,8 @@ struct RunLoss {
 };
 
 using IsEvent = std::function<bool(const RunLoss&)>;
+
+constexpr double kSameIntensity = 1e-9;  // rounding of a unit, over the intensity
 
 /// Runs, records and the bootstrap over records of one configuration.
 class Runs {
@@ -331,6 +334,28 @@ void add_levels(const StudyData& data, const Runs& runs, int threads, StudyLoss&
   }
 }
 
+/// What the curves cannot say: those beyond the runs, those of few runs, intensities beyond them.
+void add_cautions_of_curves(const Runs& runs, const ReportUnit& unit, StudyLoss& loss) {
+  const auto [low, high] = std::ranges::minmax(runs.all(), {}, &RunLoss::im);
+  for (const FittedStep& step : loss.steps) {
+    if (!step.curve.is_fitted()) continue;
+    CurveAudit audit;
+    audit.theta = step.curve.curve()->theta;
+    audit.lowest = low.im;
+    audit.highest = high.im;
+    audit.outcomes = step.runs;
+    audit.exceeded = step.happened;
+    for (const std::string& caution : cautions(audit, unit))
+      loss.cautions.push_back(fmt::format("{}, {}: {}", step.item, step.states, caution));
+  }
+  for (const ExpectedLoss& at : loss.at)
+    if (at.im < low.im * (1 - kSameIntensity) || at.im > high.im * (1 + kSameIntensity))
+      loss.cautions.push_back(
+          fmt::format("{0:g} {1} lies beyond the runs, {2:.3g} to {3:.3g} {1}: its loss is that of "
+                      "curves alone",
+                      at.im / unit.in_si, unit.name, low.im / unit.in_si, high.im / unit.in_si));
+}
+
 void add_cautions(const StudyData& data, std::size_t configuration, StudyLoss& loss) {
   if (!loss.unpriced.empty())
     loss.cautions.push_back(
@@ -394,6 +419,7 @@ StudyLoss loss_of(const StudyData& data, std::size_t configuration,
   if (hazard != nullptr)
     loss.annual = expected.of(0, [hazard](const EventCurve& curve) { return curve.rate(*hazard); });
   add_cautions(data, configuration, loss);
+  add_cautions_of_curves(runs, report_unit(data, loss.measure), loss);
   return loss;
 }
 

@@ -213,7 +213,7 @@ Section other_items(const Explanation& of) {
     const ItemFacts& item = of.items[i];
     if (i == of.subject) continue;
     all.say(item.finding == Finding::kStill
-                ? explanation::did_nothing(item)
+                ? explanation::stayed(item, of.units)
                 : fmt::format("{}: {}; moved up to {}{}.", item.name, name_of(item.finding),
                               explanation::length(item.peak_displacement, of.units),
                               item.is_part ? ""

@@ -31,12 +31,12 @@ Table levels_of(const study::StudyLoss& loss) {
                {"p90_cost", "90 %", kLossMoney},
                {"largest_cost", "largest", kLossMoney},
                {"p_loss", "P(loss)", kLossPercent},
-               {"p_loss_interval", "", interval_format(kLossPercent)},
+               {"p_loss_interval", "95 %", interval_format(kLossPercent)},
                {"p_out_of_use", "P(out of use)", kLossPercent, "of one item or more"},
                {"p_out_of_use_interval", "95 %", interval_format(kLossPercent)},
                {"p_serious_injury", "P(injury)", kLossPercent,
                 "a state that may injure seriously is reached: nobody needs to stand there"},
-               {"p_serious_injury_interval", "", interval_format(kLossPercent)},
+               {"p_serious_injury_interval", "95 %", interval_format(kLossPercent)},
                {"mean_days", "days", kLossDays, "out of use, sum over the items"},
                {"mean_days_interval", "", interval_format(kLossDays)}}};
   for (const study::LossAtLevel& at : loss.levels)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <new>
 #include <string_view>
@@ -238,6 +239,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
   if (probed == Probed::kNo) {
     require_regular_file(path);
     note_read(path);
+    require(std::ifstream(path).is_open(), path + ": cannot be read");
     require(H5Fis_hdf5(path.c_str()) > 0,
             path + ": is not a results file of gurney (no HDF5 file)");
     hdf5::check_seal(path);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/error.h"
@@ -106,7 +107,20 @@ std::vector<std::string> StudyReader::columns_of(const std::string& table) const
 std::vector<double> StudyReader::numbers(const std::string& column) const {
   if (column == "runs/analysis_case" && !has_column(column)) return numbers("runs/unit");
   require_column(column);
-  return file_.numbers("/" + column);
+  std::vector<double> values = file_.numbers("/" + column);
+  check_demand(column, values);
+  return values;
+}
+
+/// A demand that every item has is a number; without, no limit would count as exceeded.
+void StudyReader::check_demand(const std::string& column, const std::vector<double>& values) const {
+  const auto known = std::ranges::find_if(demand_columns(), [&](const auto& each) {
+    return column == std::string("items/") + each.name && !std::isnan(each.missing);
+  });
+  if (known == demand_columns().end()) return;
+  const auto row = std::ranges::find_if(values, [](double value) { return std::isnan(value); });
+  require(row == values.end(),
+          fmt::format("{}: /{}[{}] = nan: must be a number", path_, column, row - values.begin()));
 }
 
 std::vector<std::string> StudyReader::strings(const std::string& column) const {

@@ -48,6 +48,7 @@ class StudyReader {
   Hdf5Reader file_;
   void check_tables();
   void require_column(const std::string& column) const;
+  void check_demand(const std::string& column, const std::vector<double>& values) const;
   void check_indices() const;
   void check_record_sets() const;
 

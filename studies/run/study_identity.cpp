@@ -71,6 +71,22 @@ Entries keys_of_job(const std::string& text) {
   return entries;
 }
 
+/// Beginnings of the keys of each level of each factor.
+std::vector<std::string> levels_of_job(const std::string& text) {
+  const config::Node tree = config::Document(text, "the job").tree();
+  std::vector<std::string> levels;
+  const config::Node* const study = tree.find("study");
+  const config::Node* const factors = study == nullptr ? nullptr : study->find("factor");
+  if (factors == nullptr) return levels;
+  for (const config::Node& factor : factors->elements) {
+    const config::Node *const name = factor.find("name"), *const known = factor.find("level");
+    if (name == nullptr || known == nullptr) continue;
+    for (const config::Node& level : known->elements)
+      levels.push_back(fmt::format("study.factor[{}].level.{}.", name->text, level.key));
+  }
+  return levels;
+}
+
 }  // namespace
 
 std::string job_text_in(const std::string& identity) {
@@ -118,6 +134,22 @@ std::size_t tasks_in(const std::string& identity) {
 
 std::string job_difference(const std::string& theirs, const std::string& ours) {
   return differences(keys_of_job(theirs), keys_of_job(ours));
+}
+
+std::string run_difference(const std::string& theirs, const std::string& ours) {
+  const auto compared = [](Entries job, const std::vector<std::string>& own,
+                           const std::vector<std::string>& other) {
+    std::erase_if(job, [&](const auto& entry) {
+      const std::string& key = entry.first;
+      const auto begins = [&](const std::string& level) { return key.starts_with(level); };
+      return key == "title" || key == "study.combinations" || key == "study.intensity.levels" ||
+             (std::ranges::any_of(own, begins) && std::ranges::none_of(other, begins));
+    });
+    return job;
+  };
+  const std::vector<std::string> there = levels_of_job(theirs), here = levels_of_job(ours);
+  return differences(compared(keys_of_job(theirs), there, here),
+                     compared(keys_of_job(ours), here, there));
 }
 
 std::string difference(const std::string& theirs, const std::string& ours) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace gurney {
 namespace {
 
@@ -48,6 +50,19 @@ TEST(EnergyBalance, WhatAPatchTakesIsOneLoss) {
                    .relaxation_loss = 0,
                    .tread_loss = 1.5});
   EXPECT_EQ(balance.error(), 0);
+}
+
+TEST(EnergyBalance, ATermThatIsNoNumberMissesAnyBalance) {
+  EnergyBalance balance;
+  EnergyAccount now;
+  now.kinetic = 1;
+  now.numerical_loss = std::nan("");
+  balance.observe(now);
+  now.numerical_loss = 0;
+  now.work_of_floor = 1;
+  balance.observe(now);
+  EXPECT_GT(balance.error(), EnergyBalance::kTrusted);
+  EXPECT_FALSE(std::isnan(balance.error()));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/run/simulate.h"
+#include "engine/solver/assembly.h"
 #include "engine/solver/joint_law.h"
 #include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
@@ -195,6 +196,80 @@ TEST(Parts, LatchLetsGoAtItsForce) {
   EXPECT_EQ(held.items[1].demands.time_of_release, -1);
   EXPECT_LT(held.items[1].demands.peak_travel, JointLaw::kLatchYield);
   EXPECT_TRUE(std::isnan(held.items[0].demands.peak_travel)) << "the base is no part";
+}
+
+// 4 kg on a slope of 0.3 load the latch by 11 N: held by 12 N the drawer stays, by 10 N it rests open from the start.
+TEST(Parts, ALatchThatBearsMoreThanItHoldsIsOpenAtRest) {
+  Scene scene = drawer();
+  scene.slope = 0.3;
+  scene.joints[0].lower = -0.2;
+  scene.joints[0].upper = 0.2;
+  scene.joints[0].latch = 12;
+  const SimulationSettings settings = blocks::run_for(1, 0.004, 0.1);
+  const Demands held = simulate(scene, {}, settings).items[1].demands;
+  EXPECT_EQ(held.time_of_release, -1);
+  EXPECT_LT(held.peak_travel, JointLaw::kLatchYield);
+  scene.joints[0].latch = 10;
+  const Response open = simulate(scene, {}, settings);
+  EXPECT_EQ(open.outcome, Outcome::kStopped) << open.cause;
+  EXPECT_LT(open.quality.energy_closure, 1e-3);
+  const Demands& d = open.items[1].demands;
+  EXPECT_EQ(d.time_of_release, 0);
+  // Against its stop, which yields by the force over its stiffness of 1e5 N/m, and moves no more.
+  EXPECT_NEAR(d.residual_travel, -0.2, 2e-4);
+  EXPECT_LT(d.largest_stop_speed, 1e-4);
+}
+
+// A mast of k < m g h stands upright and falls once it is touched; k > m g h holds it. A door on a hinge along the
+// vertical stays where it is left.
+TEST(Parts, RefusesWhatStandsOnlyUntilItIsTouched) {
+  const auto refused = [](Kind kind, const Vector3& axis, double stiffness) -> std::string {
+    Scene scene = held_block();
+    scene.items.push_back(body("mast", 2, {0, 0, 1.5}, 0.1));
+    scene.joints = {joint(kind, 0, 1, {0, 0, 1}, axis)};
+    scene.joints[0].stiffness = stiffness;
+    try {
+      simulate(scene, {}, blocks::run_for(0.1, 0.004, 0.1));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using testing::HasSubstr;
+  const double weight = 2 * kGravity * 0.5;  // m g h [N m/rad]
+  for (const Kind kind : {Kind::kFlexible, Kind::kBall}) {
+    EXPECT_THAT(refused(kind, Vector3::UnitZ(), 0.7 * weight),
+                HasSubstr("item 'base' does not come to rest: its part 'mast' stands upright"));
+    EXPECT_EQ(refused(kind, Vector3::UnitZ(), 1.3 * weight), "");
+  }
+  EXPECT_THAT(refused(Kind::kHinge, Vector3::UnitX(), 0), HasSubstr("stands upright"));
+  EXPECT_EQ(refused(Kind::kHinge, Vector3::UnitZ(), 0), "");
+}
+
+// -c (w_part - w_base) on the part, about any axis and however far it has turned from its base.
+TEST(Parts, ADampedBallTakesTheRelativeAngularVelocity) {
+  Scene scene = held_block();
+  scene.items.push_back(body("bag", 2, {0, 0, 1.5}, 0.3));
+  scene.joints = {joint(Kind::kBall, 0, 1, {0, 0, 1.5}, Vector3(0.6, 0, 0.8))};
+  scene.joints[0].damping = 0.7;
+  const Assembly assembly(scene);
+  const JointLaw& ball = assembly.joints[0];
+  const Vector3 w(0.3, -1.1, 2.0), w_base(-0.4, 0.2, 0.9);
+  for (const double turned : {0.0, 1.0, 3.0}) {
+    const Pose base{Vector3::Zero(),
+                    rotated({0.2, 0.1, -0.4}, Quaternion::Identity()).toRotationMatrix()};
+    const Quaternion far = rotated(turned * Vector3(0.36, 0.48, 0.8), Quaternion(base.rotation));
+    JointLaw::Stage stage{0.001, ball.rows(base, {Vector3::Zero(), far.toRotationMatrix()}, 0), {}};
+    Vector6 of_part, of_base;
+    of_part << Vector3::Zero(), w;
+    of_base << Vector3::Zero(), w_base;
+    Vector3 torque = Vector3::Zero();
+    for (std::size_t i = 3; i < stage.rows.count; ++i) {  // behind the three of the point
+      const JointLaw::Row& row = stage.rows.rows[i];
+      torque -= ball.force(stage, i, row.rate(of_part, of_base)).force * row.part.tail<3>();
+    }
+    EXPECT_LT((torque + 0.7 * (w - w_base)).norm(), 1e-12) << turned;
+  }
 }
 
 // Under a constant acceleration a free drawer meets its stop at L with v = sqrt(2 a L) and comes back by e^2 L. The

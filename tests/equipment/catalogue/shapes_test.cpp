@@ -138,6 +138,27 @@ TEST_F(ShapesFile, OfContentsNeitherFloatNorOverlap) {
               HasSubstr("content 'other' stands 10 mm deep in content 'one'"));
 }
 
+TEST_F(ShapesFile, OfPartsAndContentsHaveNamesThatResultsCanTell) {
+  const auto part = [](const std::string& name) {
+    return "[[part]]\nname = \"" + name + "\"\njoint = \"fixed\"\nmass_kg = 1\n" +
+           "center_of_mass_mm = [0, 0, 800]\ninertia_box_mm = [10, 10, 10]\n" +
+           "position_mm = [0, 0, 700]\n";
+  };
+  for (const char* bad : {"", "chassis", "a/b", "a\\nb"})
+    EXPECT_THAT(error(kTop + part(bad)),
+                HasSubstr("part[0].name: must not be empty or \"chassis\", or have a '/'"))
+        << bad;
+  const std::string box = content("arm", "[0, 0, 700]", "size_mm = [50, 50, 50]\n");
+  EXPECT_THAT(error(kTop + part("arm") + box),
+              HasSubstr("content[0].name = \"arm\": must differ from the names of parts"));
+  std::string spun = part("arm");
+  const std::string stated = "inertia_box_mm = [10, 10, 10]";
+  spun.replace(spun.find(stated), stated.size(),
+               "inertia_kg_m2 = [0.1, 0.1, 0.1]\ninertia_products_kg_m2 = [0.2, 0, 0]");
+  EXPECT_THAT(error(kTop + spun),
+              HasSubstr("19:17: part[0].inertia_kg_m2 with principal moments -0.09"));
+}
+
 const Vector3 kCorners[] = {{0, 0, 0}, {200, 0, 0}, {0, 100, 0}, {0, 0, 300}};
 constexpr int kTriangles[][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
 

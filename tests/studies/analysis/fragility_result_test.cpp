@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
 #include "studies/figures/study_figures.h"
@@ -65,6 +66,37 @@ TEST_F(FragilityResultTest, GivesBackTheCurveThatTheDemandsFollow) {
   const statistics::LognormalCurve& curve = *result.fit.curve;
   EXPECT_NEAR(result.rate->rate,
               1e-3 * std::pow(curve.theta / kG, -2) * std::exp(2 * curve.beta * curve.beta), 1e-9);
+}
+
+// An item that falls before it has moved 10 cm does not exceed "moved", and a state of another kind has no such runs.
+TEST_F(FragilityResultTest, SaysHowManyOverturnedShortOfALimit) {
+  std::vector<SmallRun> runs = known_runs(40, {0.1, 0.2, 0.4});
+  std::size_t short_of = 0;
+  for (SmallRun& run : runs) {
+    run.fell = run.record % 4 == 0;
+    short_of += run.fell && run.displacement <= 0.1;
+  }
+  ASSERT_GT(short_of, 0);
+  const StudyData study = data(runs);
+  EXPECT_EQ(fragility_of(study, {.state = 0}).audit.overturned_short, short_of);
+  EXPECT_EQ(fragility_of(study, {.state = 1}).audit.overturned_short, 0);
+  EXPECT_EQ(fragility_of(study, {.state = 2}).audit.overturned_short, 0);
+  EXPECT_THAT(cautions(fragility_of(study, {}).audit, {"g", kG}),
+              testing::Contains(testing::HasSubstr("overturned without having moved so far")));
+}
+
+// A demand that is no number exceeds no limit: it would count as safe.
+TEST_F(FragilityResultTest, RefusesADemandThatIsNoNumber) {
+  std::vector<SmallRun> runs = known_runs(10, {0.1, 0.2});
+  runs[3].displacement = std::nan("");
+  const StudyData study = data(runs);
+  try {
+    fragility_of(study, {});
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("/items/peak_displacement[6] = nan: must be a number"));
+  }
 }
 
 // A file of the days when the key of an IDA was `hunt`.

@@ -163,6 +163,36 @@ TEST(Explain, SaysPlainlyThatNothingHappened) {
   EXPECT_NE(words.find("200 N of 294 N"), std::string::npos) << words;
 }
 
+// A drawer in a block that hardly moves meets its stop: sqrt(2 a L) along the floor's constant acceleration.
+TEST(Explain, APartMeetsItsStop) {
+  Scene scene = blocks::block(100, {1, 1, 1}, {});
+  scene.items[0].name = "cabinet";
+  for (Guide& guide : scene.items[0].fixture.guides) guide.kind = Guide::Kind::kHeld;
+  PlacedItem drawer = blocks::block(4, Vector3::Constant(0.2), {}).items[0];
+  drawer.name = "cabinet/drawer";
+  drawer.model.chassis_center_of_mass = drawer.model.shape[0].center = {0, 0, 0.5};
+  scene.items.push_back(drawer);
+  Joint slider;
+  slider.kind = Joint::Kind::kSlider;
+  slider.part = 1;
+  slider.point = {0, 0, 0.5};
+  slider.axis = Vector3::UnitX();
+  slider.upper = 0.3;
+  scene.joints = {slider};
+  scene.pairs.push_back({"steel", "steel", {}});
+  study::RunFacts facts;
+  facts.job_name = "drawer";
+  facts.scene = scene;
+  facts.settings = RunOptions{blocks::run_for(0.8, 0.002, 0.01)};
+  facts.floor = {2, (Eigen::Matrix3Xd(3, 2) << -2, -2, 0, 0, 0, 0).finished()};
+  const Explanation found = explain(facts, simulate(facts.scene, facts.floor, facts.settings));
+  const std::string words = one_line(found);
+  EXPECT_NE(words.find("cabinet/drawer moved up to"), std::string::npos) << words;
+  EXPECT_NE(words.find("and met its stop with 1.09"), std::string::npos)
+      << words;  // sqrt(2 2 0.3) less what a step misses
+  EXPECT_EQ(words.find("hit nothing"), std::string::npos) << words;
+}
+
 TEST(Explain, FindsAHitAtItsTime) {
   constexpr double kGap = 0.5, kSpeed = 1;
   Scene scene = blocks::block(kMass, {0.6, 0.6, 0.3}, floor_of(0));

@@ -183,5 +183,17 @@ TEST(EventCurve, WithoutACurveHasTheSharesOfTheRunsAndTheirRate) {
   EXPECT_NEAR(curve.rate(statistics::HazardCurve::power_law(1, k)), exact, 4e-5 * exact);
 }
 
+// Falls have a median of 4 m/s2, the strongest runs; of the unbraked half few fall.
+TEST_F(StudyLossTest, CautionsOfCurvesAreSaid) {
+  EXPECT_THAT(loss({.at = {2}}).cautions, testing::Not(testing::Contains(HasSubstr("beyond"))));
+  const StudyLoss far = loss({.at = {0.5, 2, 40}});
+  EXPECT_THAT(far.cautions, testing::Contains(HasSubstr("lies beyond the runs")).Times(2));
+  for (SmallRun& run : runs_)
+    if (run.record % 8 != 0) run.fell = false;
+  write_small_study(path_, runs_);
+  EXPECT_THAT(loss().cautions, testing::Contains(testing::AllOf(HasSubstr("fell: only"),
+                                                                HasSubstr("of 120 runs exceed"))));
+}
+
 }  // namespace
 }  // namespace gurney::study

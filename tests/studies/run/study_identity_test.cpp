@@ -83,5 +83,31 @@ TEST(StudyIdentityTest, TheMergeRefusesResultsOfAnotherUnit) {
   EXPECT_EQ(text, "the results of analysis case 0 stand where those of case 1 must be");
 }
 
+// A hospital's job names more or fewer settings than the results that it is asked of; what a run is must be the same.
+TEST(StudyIdentity, RunsAreTheSameWhateverRunsThereAre) {
+  const std::string job =
+      "title = \"one\"\n[floor]\ncovering = \"a\"\n[study]\ndraws = 2\ncombinations = [[\"up\"]]\n"
+      "intensity.levels = [0.2]\n[[study.factor]]\nname = \"storey\"\n[study.factor.level.ground]\n"
+      "[study.factor.level.up]\nfloor = 3\n";
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = job;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_EQ(run_difference(job, with("one", "other")), "");
+  EXPECT_EQ(run_difference(job, with("[[\"up\"]]", "[[\"ground\"], [\"up\"]]")), "");
+  EXPECT_EQ(run_difference(job, with("[0.2]", "[0.2, 0.4]")), "");
+  EXPECT_EQ(run_difference(job, job + "[study.factor.level.roof]\nfloor = 4\n"), "");
+  EXPECT_EQ(run_difference(job + "[study.factor.level.roof]\nfloor = 4\n", job), "");
+  EXPECT_EQ(run_difference(job, with("floor = 3", "floor = 2")),
+            "study.factor[storey].level.up.floor: there '3', here '2'");
+  // The ground floor has become one of a building.
+  EXPECT_EQ(run_difference(job, with("level.ground]", "level.ground]\nfloor = 1")),
+            "study.factor[storey].level.ground.floor: there nothing, here '1'");
+  EXPECT_EQ(run_difference(job, with("\"a\"", "\"b\"")),
+            "floor.covering: there '\"a\"', here '\"b\"'");
+  EXPECT_EQ(run_difference(job, with("draws = 2", "draws = 3")),
+            "study.draws: there '2', here '3'");
+}
+
 }  // namespace
 }  // namespace gurney::study

@@ -142,6 +142,14 @@ expect 1 "no_study.toml: simulation: must be given" "$gurney" hospital no_study.
 sed 's/name = "ground"/name = "first"/; s/storey = "ground"/storey = "first"/' ward.toml > other.toml
 expect 1 "has no configuration 'infusion_pole open, first, off'; did you mean 'infusion_pole open, ground, off'?" \
   "$gurney" hospital other.toml --results whole.h5
+sed 's/^draws = 2/draws = 3/' ward.toml > drawn.toml
+expect 1 "whole.h5: is not of the study that drawn.toml becomes: study.draws: there '2', here '3'" \
+  "$gurney" hospital drawn.toml --results whole.h5
+expect 2 "requires --figure" "$gurney" hospital ward.toml --results whole.h5 --width 5cm
+expect 2 "requires --figure" "$gurney" loss whole.h5 --consequences consequences.toml --overwrite
+expect 2 "nan: must be a finite number" "$gurney" loss whole.h5 --consequences consequences.toml --at nan
+expect 2 "0: must be a number > 0" "$gurney" loss whole.h5 --consequences consequences.toml --at 0
+expect 0 "9 m/s lies beyond the runs" "$gurney" loss whole.h5 --consequences consequences.toml --at 9
 expect 1 "the file is a hospital, not a job" "$gurney" run ward.toml
 expect 1 "the file is a list of consequences, not a hospital" "$gurney" hospital consequences.toml
 sed 's/infusion_pole/infusion_pol/' consequences.toml > unpriced.toml

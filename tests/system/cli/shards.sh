@@ -136,7 +136,9 @@ grep -qE "^ *1/3 +[0-9]+ of 16 .* running: process $process on " stdout || compl
 grep -qE "^ *2/3 +16 of 16 +32 +0 +0 failed .* finished$" stdout || complain "does not show that shard 2 has finished"
 grep -qE "^ *3/3 +0 of 16 +0 .* not started$" stdout || complain "does not show that shard 3 is missing"
 tr '\n' ' ' < stdout | grep -qE "; 1 of 3 shards finished, 1 running, [0-9.]+ runs/s, .* to go " || complain "no rate"
-expect 0 '"seconds_to_go": ' "$gurney" status a.h5.shards --json
+expect 0 '"seconds_to_go": null' "$gurney" status a.h5.shards --json  # of shard 3, and so of all
+[ "$(grep -c '"seconds_to_go": null' stdout)" -eq 2 ] || complain "a time to go of a shard that has not started"
+grep -q '"seconds_to_go": 0[.,]' stdout || complain "no time to go of a finished shard"
 expect 0 "of 48 analysis cases; all below is of these alone" "$gurney" show a.h5.shards
 grep -q "^UNFINISHED: [0-9]" stdout || complain "an unfinished study is not marked as such"
 expect 0 '"analysis_cases": 48' "$gurney" show a.h5.shards --json
