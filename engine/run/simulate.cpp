@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/bullet/contact_search.h"
 #include "engine/record/impact_log.h"
@@ -18,6 +19,8 @@
 
 namespace gurney {
 namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// Everything placed, settled and set in motion.
 SceneState start_of(const Scene& scene, const Assembly& assembly) {
@@ -62,8 +65,9 @@ struct Integration {
       -1;  ///< when the first item overturned, the balance being right; < 0: never [s]
 };
 
+/// @param parts  of each time step once an item has overturned
 Integration integrate(const Scene& scene, const Assembly& assembly, const FloorMotion& floor,
-                      const SimulationSettings& settings) {
+                      const SimulationSettings& settings, int parts = 1) {
   const std::size_t count = assembly.items.size();
   SceneState state = start_of(scene, assembly);
   double time = 0;
@@ -84,9 +88,11 @@ Integration integrate(const Scene& scene, const Assembly& assembly, const FloorM
     joints.observe(step);
     for (std::size_t i : step.island->items) recorders[i].observe(step, impacts.impacts_of(i));
   };
+  bool overturned = false;
   const auto advance = [&](double until) -> std::optional<std::string> {
+    const double longest = overturned && parts > 1 ? (until - time) / parts * (1 + 1e-9) : kNoLimit;
     for (double now = time; now < until;) {
-      const double stop = search.next(state, now, until);
+      const double stop = search.next(state, now, std::min(until, now + longest));
       stepper.set_contacts(search.find(state, stop - now), state);
       if (auto cause = stepper.advance(state, stop, observer)) return cause;
       now = stop;
@@ -106,7 +112,6 @@ Integration integrate(const Scene& scene, const Assembly& assembly, const FloorM
   double sampled_at = sample();
   check();
   zones.observe(time, 0, state);
-  bool overturned = false;
   double trusted_until = -1;
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
@@ -172,6 +177,11 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
   const Assembly assembly(scene);
   Integration run = integrate(scene, assembly, floor, settings);
   if (!is_failure(run.response.outcome) || run.trusted_until < 0) return std::move(run.response);
+  // The fork of a caster of 0.1 kg, whose tread strikes the floor sideways, turns by a radian in 4 ms.
+  for (const int parts : {2, 4}) {
+    Integration finer = integrate(scene, assembly, floor, settings, parts);
+    if (!is_failure(finer.response.outcome)) return std::move(finer.response);
+  }
   if (!is_alone(assembly)) {
     run.response.cause += fmt::format(
         "; the balance is within the limit until an item overturned at {:.3g} s, where "
