@@ -103,8 +103,9 @@ findings::Section hospital_findings(const study::Hospital& hospital,
   Section all("", hospital.title);
   int rooms = 0;
   for (const study::Room& room : hospital.rooms) rooms += room.count;
+  all.json("title", hospital.title);
   all.fact("pieces", "pieces", answer.pieces);
-  all.fact("rooms", "rooms", rooms);
+  all.fact("room_count", "rooms", rooms);  // "rooms" is their table
   if (answer.beds > 0) all.fact("beds", "beds", answer.beds);
   all.fact("samples", "samples", answer.samples);
   if (answer.records > 0)
