@@ -83,33 +83,52 @@ bool come_to_rest(const Assembly& standing, SceneState& scene) {
   }
 }
 
-/// The joint of a part that leaves its rest by itself once it is pushed, as a mast does that is too soft
-/// for what it carries and stands exactly upright. An angle that grows as exp(w t) grows by w^2 tau^2 in a
-/// pseudo step tau, one that swings falls so: 400 of 0.05 s tell w > 1.1 rad/s.
+/// How far the joint has turned once it and all that hangs on it were pushed by `angle` about `about`.
+double turned_by_push(const Assembly& standing, const SceneState& rest, std::size_t j,
+                      const Vector3& about, double angle) {
+  const Joint& joint = standing.joints[j].joint();
+  SceneState pushed = rest;
+  const State& part = rest.items[joint.part];
+  const Vector3 spin = angle / kPushStep * (part.rotation * about);
+  const auto place_in = [](const State& body, const Vector3& local) -> Vector3 {
+    return body.position + body.rotation * local;
+  };
+  const Vector3 point =
+      place_in(part, joint.point - standing.items[joint.part].chassis.center_of_mass);
+  std::vector<bool> moves(rest.items.size(), false);
+  moves[joint.part] = true;
+  for (const JointLaw& each : standing.joints)  // bases come before their parts
+    if (moves[each.joint().base]) moves[each.joint().part] = true;
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    if (moves[i])
+      pushed.items[i].velocity.chassis << spin.cross(rest.items[i].position - point), spin;
+  const auto bend = [&](const SceneState& scene) {
+    return scene.items[joint.base].rotation.conjugate() * scene.items[joint.part].rotation;
+  };
+  double turned = 0;
+  relax(standing, kPushStep, kPushSteps, pushed, [&] {
+    turned = bend(rest).angularDistance(bend(pushed));
+    return turned > kStablePush || turned < kPush / 2;
+  });
+  return turned;
+}
+
+/// The joint of a part that leaves its rest by itself once it is pushed to either side, as a mast does that is
+/// too soft for what it carries and stands exactly upright. An angle that grows as exp(w t) grows by w^2 tau^2
+/// in a pseudo step tau, one that swings falls so: 400 of 0.05 s tell w > 1.1 rad/s. A damper that lets it
+/// fall more slowly hides it.
 std::optional<std::size_t> unstable_joint(const Assembly& standing, const SceneState& rest) {
   for (std::size_t j = 0; j < standing.joints.size(); ++j) {
     const Joint& joint = standing.joints[j].joint();
     if (joint.kind == Joint::Kind::kFixed || joint.kind == Joint::Kind::kSlider ||
         rest.joints[j].latched)
       continue;
-    const auto bend = [&](const SceneState& scene) {
-      return scene.items[joint.base].rotation.conjugate() * scene.items[joint.part].rotation;
-    };
     const Vector3 across = joint.axis.unitOrthogonal();
     Vector3 about = joint.axis;
     if (joint.kind != Joint::Kind::kHinge)  // in no direction of symmetry
       about = (across + 0.7 * joint.axis.cross(across)).normalized();
-    SceneState pushed = rest;
-    State& part = pushed.items[joint.part];
-    const Vector3 spin = kPush / kPushStep * (part.rotation * about);
-    const Vector3 center = standing.items[joint.part].chassis.center_of_mass - joint.point;
-    part.velocity.chassis << spin.cross(part.rotation * center), spin;
-    double turned = 0;
-    relax(standing, kPushStep, kPushSteps, pushed, [&] {
-      turned = bend(rest).angularDistance(bend(pushed));
-      return turned > kStablePush || turned < kPush / 2;
-    });
-    if (turned > kStablePush) return j;
+    for (const double angle : {kPush, -kPush})
+      if (turned_by_push(standing, rest, j, about, angle) > kStablePush) return j;
   }
   return {};
 }

@@ -234,6 +234,7 @@ YieldingTwist read_columns(Table& in, const TorsionalBuilding& building,
   return twist;
 }
 
+/// Storey by storey, from stiffnesses or from a period and a taper.
 /// @param building  its height and its storeys that yield are set where the table has them
 std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
   const int storeys = building.storeys;
@@ -278,6 +279,7 @@ std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
     exclude(table, "floor_rotation", "yield: floors of storeys in shear stay level");
     if (!table.has("torsion"))
       exclude(*yield, "column_distance_h1_m", "storeys that do not twist: it goes with torsion");
+    yield->has("column_distance_h1_m");  // is known, also where torsion has errors
     if (axes[1].size() == count)
       building.yielding = read_yield(*yield, vector(mass), stiffness, axes, building.height);
     if (building.yielding && twisting) {

@@ -302,24 +302,26 @@ YieldingHistory run_yielding(const Ground& ground, const Building& building, int
   return result;
 }
 
-/// Largest differences of two horizontal accelerations and of two storey drifts, each over the peak of
-/// the second.
+/// Largest differences of two horizontal accelerations, of two storey drifts and of two yaw accelerations, each
+/// over the peak of the second.
 struct Change {
-  double acceleration, drift;
+  double acceleration, drift, yaw;
 };
 
 Change change_between(const History& coarse, const History& fine) {
   const std::size_t samples = std::min(coarse.floor.size(), fine.floor.size());
-  double acceleration = 0, peak_acceleration = 0, drift = 0, peak_drift = 0;
+  double acceleration = 0, peak_acceleration = 0, drift = 0, peak_drift = 0, yaw = 0, peak_yaw = 0;
   for (std::size_t i = 0; i < samples; ++i) {
     const FloorSample &a = coarse.floor[i], &b = fine.floor[i];
     acceleration = std::max(acceleration, (a.acceleration - b.acceleration).head<2>().norm());
     peak_acceleration = std::max(peak_acceleration, b.acceleration.head<2>().norm());
     drift = std::max(drift, std::abs(a.drift - b.drift));
     peak_drift = std::max(peak_drift, b.drift);
+    yaw = std::max(yaw, std::abs(a.yaw_acceleration - b.yaw_acceleration));
+    peak_yaw = std::max(peak_yaw, std::abs(b.yaw_acceleration));
   }
   const auto over = [](double difference, double peak) { return peak > 0 ? difference / peak : 0; };
-  return {over(acceleration, peak_acceleration), over(drift, peak_drift)};
+  return {over(acceleration, peak_acceleration), over(drift, peak_drift), over(yaw, peak_yaw)};
 }
 
 double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
@@ -336,7 +338,7 @@ double change(const IsolatedHistory& coarse, const IsolatedHistory& fine) {
 
 double change(const YieldingHistory& coarse, const YieldingHistory& fine) {
   const Change found = change_between(coarse.history, fine.history);
-  return std::max(found.acceleration, found.drift);
+  return std::max({found.acceleration, found.drift, found.yaw});
 }
 
 /// Halves the step of a solve until that changes the motion by no more than kAccuracy.

@@ -86,7 +86,9 @@ def probability(curve, speed, z, z_beta=0):
     """
     above = curve.get("above", {}).get(speed)
     bounded = above and not above.endswith("/0")
-    if not curve["theta"] and int(curve["exceed"]) and bounded:
+    if not curve["theta"] and int(curve["exceed"]):
+        if not bounded:
+            raise ValueError(f"{curve['exceed']} runs exceed without a curve, and above.csv has no motion above {speed} m/s")
         return at_most(*map(int, above.split("/")), z)
     if not curve["theta"]:
         half = NORMAL.cdf(z) / 2 + 0.5

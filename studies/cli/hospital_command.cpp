@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <map>
+#include <set>
+
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/base/input_file.h"
@@ -11,6 +15,8 @@
 #include "studies/cli/shared_options.h"
 #include "studies/figures/hospital_figure.h"
 #include "studies/hospital/hospital_answer.h"
+#include "studies/plan/study_job.h"
+#include "studies/plan/study_motions.h"
 #include "studies/report/hospital_report.h"
 #include "studies/results/output_files.h"
 #include "studies/results/study_reader.h"
@@ -42,15 +48,31 @@ int run_hospital(const HospitalOptions& options, const std::string& job) {
   return run_study(run);
 }
 
-/// Refuses results whose runs are of another building, record or covering than the hospital's.
+/// Data files that are in both and differ, by their names: a study may have been run elsewhere.
+std::string changed_files(const study::StudyReader& file, const study::StudyJob& job) {
+  const study::StudyMotions motions(job);  // which read buildings
+  std::map<std::string, std::string> now;
+  for (const auto& [name, hash] : data_files(job))
+    now[std::filesystem::path(name).filename().string()] = hash;
+  const auto names = file.strings("data_files/name"), hashes = file.strings("data_files/sha256");
+  std::set<std::string> changed;
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    const auto found = now.find(std::filesystem::path(names[row]).filename().string());
+    if (found != now.end() && found->second != hashes[row]) changed.insert(found->first);
+  }
+  return changed.empty() ? "" : fmt::format("changed since: {}", fmt::join(changed, ", "));
+}
+
+/// Refuses results whose runs are of another building, record, covering or item than the hospital's.
 void check_results(const std::string& path, const study::Hospital& hospital,
                    const study::Consequences& consequences) {
-  if (!hospital.study) return;
+  if (!hospital.study) return;  // nothing says of which study they should be
   const study::StudyReader file(path);
-  const std::string keys =
-      study::run_difference(file.job_text(), study_job(hospital, consequences));
-  require(keys.empty(),
-          fmt::format("{}: is not of the study that {} becomes: {}", path, hospital.path, keys));
+  const std::string job = study_job(hospital, consequences);
+  std::string differs = study::run_difference(file.job_text(), job);
+  if (differs.empty()) differs = changed_files(file, study::StudyJob(job, hospital.path));
+  require(differs.empty(),
+          fmt::format("{}: is not of the study that {} becomes: {}", path, hospital.path, differs));
 }
 
 int hospital(const HospitalOptions& options) {

@@ -35,9 +35,10 @@ std::string uplift_text(const Event& event) {
                             of.longest_of, event.part);
 }
 
-/// What a part met on its joint; empty: nothing.
+/// What a part met on its joint; empty: nothing, or it only leant on it.
 std::string met_a_stop(const ItemFacts& item, const UnitSystem& units) {
-  return item.stop_speed > 0
+  constexpr double kMet = 0.005;  // [m/s] what two decimals show
+  return item.stop_speed >= kMet
              ? fmt::format(", and met its stop with {}", units.fixed(item.stop_speed, "m/s", 2))
              : "";
 }
@@ -184,10 +185,12 @@ std::string headline(const Explanation& of) {
     case Finding::kRocked:
       return fmt::format("{} rocked and did not overturn: its tilt reached {:.0f} % of critical.",
                          item.name, 100 * item.tilt.ratio());
-    case Finding::kMoved:
+    case Finding::kMoved: {
+      const std::string stop = met_a_stop(item, of.units);
       return fmt::format("{} moved up to {} (at {:.2f} s){}.", item.name,
                          length(item.peak_displacement, of.units), item.time_of_peak_displacement,
-                         item.stop_speed > 0 ? met_a_stop(item, of.units) : " and hit nothing");
+                         stop.empty() ? " and hit nothing" : stop);
+    }
     case Finding::kStill:
       break;
   }

@@ -23,6 +23,7 @@ namespace {
 constexpr const char *kFloorVelocity = "pfv", *kGroundVelocity = "PGV larger";
 constexpr double kNormal95 = 1.959963984540054;
 constexpr double kSameVelocity = 1e-9;  ///< rounding of a file, over the velocity
+constexpr double kFarScatter = 1.645;   ///< deviations that one sample in twenty exceeds
 constexpr std::size_t kSupported =
     10;  ///< runs that exceed; the parameters of a curve of fewer are loose
 
@@ -205,17 +206,21 @@ class Threshold {
   std::array<double, kPoints> of_{};
 };
 
-/// A state of one piece at one level: reached by a score below all that is known allows.
+/// A state of one piece: reached by a score below all that is known allows.
 struct Reach {
   Reached state = 0;
   std::optional<Capacity> capacity;
-  std::optional<Threshold> threshold;
+  std::vector<std::pair<double, Threshold>> thresholds;  ///< up to ln of a velocity, by rising ones
 
   bool operator()(double log_im, double score, double shift) const {
-    if (!capacity && !threshold) return false;
-    return (!capacity ||
-            log_im > capacity->log_theta + capacity->error * shift + capacity->beta * score) &&
-           (!threshold || score < (*threshold)(shift));
+    if (!capacity && thresholds.empty()) return false;
+    if (capacity &&
+        !(log_im > capacity->log_theta + capacity->error * shift + capacity->beta * score))
+      return false;
+    if (thresholds.empty()) return true;
+    const auto above = std::ranges::find_if(
+        thresholds, [&](const auto& each) { return log_im <= each.first + kSameVelocity; });
+    return score < (above == thresholds.end() ? thresholds.back() : *above).second(shift);
   }
 };
 
@@ -245,13 +250,12 @@ class CurveOutcomes : public OutcomeSource {
     if (found == settings_.end()) refuse(item, storey, brakes, measure);
     note_missing(item, found->second);
     std::vector<double> log_im;
-    std::vector<std::vector<Reach>> reaches;
-    for (const double level : hospital_.levels) {
-      const double velocity = level * storey.amplification.value_or(1);
-      log_im.push_back(std::log(velocity));
-      reaches.emplace_back();
-      for (const State& state : found->second)
-        reaches.back().push_back(reach_of(state, velocity, item.equipment));
+    for (const double level : hospital_.levels)
+      log_im.push_back(std::log(level * storey.amplification.value_or(1)));
+    std::vector<Reach> reaches;
+    for (const State& state : found->second) {
+      note_beyond(state, log_im.back() + kFarScatter * storey.scatter, item.equipment);
+      reaches.push_back(reach_of(state, item.equipment));
     }
     const double scatter = storey.scatter, own = std::sqrt(1 - correlation_),
                  common = std::sqrt(correlation_);
@@ -260,7 +264,7 @@ class CurveOutcomes : public OutcomeSource {
       const double im = log_im[level] + scatter * motion.floor;
       const double score = common * motion.common + own * piece.capacity;
       Reached reached = 0;
-      for (const Reach& of : reaches[level])
+      for (const Reach& of : reaches)
         if (of(im, score, replicate.shift)) reached |= of.state;
       return reached;
     };
@@ -286,25 +290,25 @@ class CurveOutcomes : public OutcomeSource {
   }
 
  private:
-  /// What is known of a state at a velocity. Of few outcomes: as a stronger shaking is no safer, the chance is
-  /// at most that of the motions just above; of none in any run, that of all runs.
-  Reach reach_of(const State& state, double velocity, const std::string& item) const {
+  /// Of few outcomes: as a stronger shaking is no safer, the chance is at most that of the motions just above;
+  /// of none in any run, that of all runs.
+  Reach reach_of(const State& state, const std::string& item) const {
     Reach reach{bit(state.name), state.capacity, {}};
-    if (!state.counts.empty() && velocity > state.counts.back().velocity * (1 + kSameVelocity))
-      beyond_[fmt::format("{:g} m/s", velocity)].insert(item);
     if (!state.few()) return reach;
-    if (state.exceed == 0 && state.runs.value_or(0) > 0) {
-      reach.threshold = Threshold(0, *state.runs);
-    } else if (!state.counts.empty()) {
-      auto above = std::ranges::find_if(state.counts, [&](const Count& count) {
-        return count.velocity * (1 + kSameVelocity) >= velocity;
-      });
-      if (above == state.counts.end()) --above;
-      reach.threshold = Threshold(above->exceed, above->motions);
-    } else {
-      loose_[state.name].insert(item);
-    }
+    if (state.exceed == 0 && state.runs.value_or(0) > 0)
+      reach.thresholds.emplace_back(0, Threshold(0, *state.runs));
+    else
+      for (const Count& count : state.counts)
+        reach.thresholds.emplace_back(std::log(count.velocity),
+                                      Threshold(count.exceed, count.motions));
+    if (reach.thresholds.empty()) loose_[state.name].insert(item);
     return reach;
+  }
+
+  /// @param log_im  of the highest velocity that is asked for, 1.6 deviations of a scatter above
+  void note_beyond(const State& state, double log_im, const std::string& item) const {
+    if (!state.counts.empty() && log_im > std::log(state.counts.back().velocity) + kSameVelocity)
+      beyond_[fmt::format("{:.3g} m/s", std::exp(log_im))].insert(item);
   }
 
   /// Limit states with a consequence for the item that none of its curves has.

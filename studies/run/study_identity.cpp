@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "engine/base/error.h"
@@ -87,6 +89,11 @@ std::vector<std::string> levels_of_job(const std::string& text) {
   return levels;
 }
 
+/// A described path, or an array of them, without folders.
+std::string file_names(const std::string& described) {
+  return std::regex_replace(described, std::regex("\"[^\"]*/"), "\"");
+}
+
 }  // namespace
 
 std::string job_text_in(const std::string& identity) {
@@ -139,12 +146,17 @@ std::string job_difference(const std::string& theirs, const std::string& ours) {
 std::string run_difference(const std::string& theirs, const std::string& ours) {
   const auto compared = [](Entries job, const std::vector<std::string>& own,
                            const std::vector<std::string>& other) {
+    // The item of the job is that of no run: each level states its own.
+    static const std::set<std::string> kOfDesign = {"title", "item.equipment", "study.combinations",
+                                                    "study.intensity.levels"};
     std::erase_if(job, [&](const auto& entry) {
-      const std::string& key = entry.first;
-      const auto begins = [&](const std::string& level) { return key.starts_with(level); };
-      return key == "title" || key == "study.combinations" || key == "study.intensity.levels" ||
+      const auto begins = [&](const std::string& level) { return entry.first.starts_with(level); };
+      return kOfDesign.contains(entry.first) ||
              (std::ranges::any_of(own, begins) && std::ranges::none_of(other, begins));
     });
+    // Files are the same wherever they lie: their contents are compared by their hashes.
+    for (auto& [key, value] : job)
+      if (key.ends_with(".file") || key.ends_with(".files")) value = file_names(value);
     return job;
   };
   const std::vector<std::string> there = levels_of_job(theirs), here = levels_of_job(ours);

@@ -35,8 +35,8 @@ std::string difference(const std::string& theirs, const std::string& ours);
 /// Compares two jobs; empty: they differ in nothing that is read.
 std::string job_difference(const std::string& theirs, const std::string& ours);
 
-/// Likewise in what a run is, whatever runs there are: without title, combinations, intensity levels, and
-/// levels of factors that only one of them has.
+/// Likewise in what a run is, whatever runs there are: without title, item of the job, combinations, intensity
+/// levels, and levels of factors that only one of them has; files by their names alone.
 std::string run_difference(const std::string& theirs, const std::string& ours);
 
 /// The file `study` of a folder of parts, which states whose they are: a line with the SHA-256 of

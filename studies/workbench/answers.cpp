@@ -16,7 +16,7 @@
 #include "studies/findings/findings.h"
 #include "studies/job/job.h"
 #include "studies/limit_states/limit_state.h"
-#include "studies/playback/page.h"
+#include "studies/playback/page_data.h"
 #include "studies/prepare/run_job.h"
 #include "studies/render/render.h"
 #include "studies/report/run_report.h"

@@ -246,6 +246,36 @@ TEST(Parts, RefusesWhatStandsOnlyUntilItIsTouched) {
   EXPECT_EQ(refused(Kind::kHinge, Vector3::UnitZ(), 0), "");
 }
 
+TEST(Parts, RefusesWhatFallsToOneSideOrUnderWhatItCarries) {
+  const auto refused = [](const Scene& scene) {
+    try {
+      simulate(scene, {}, blocks::run_for(0.1, 0.004, 0.1));
+    } catch (const Error&) {
+      return true;
+    }
+    return false;
+  };
+  // A lid upright against its stop, on either side.
+  for (const double side : {1.0, -1.0}) {
+    Scene lid = held_block();
+    lid.items.push_back(body("lid", 2, {0, 0, 1.5}, 0.1));
+    lid.joints = {joint(Kind::kHinge, 0, 1, {0, 0, 1}, Vector3::UnitX())};
+    (side > 0 ? lid.joints[0].lower : lid.joints[0].upper) = 0;
+    (side > 0 ? lid.joints[0].upper : lid.joints[0].lower) = 1.7 * side;
+    EXPECT_TRUE(refused(lid)) << side;
+  }
+  // A mast of 0.2 kg with 4 kg fixed on it: m g h of both is 19.6 N m/rad.
+  for (const double stiffness : {0.7 * 19.6, 1.3 * 19.6}) {
+    Scene mast = held_block();
+    mast.items.push_back(body("mast", 0.2, {0, 0, 1.1}, 0.05));
+    mast.items.push_back(body("pump", 4, {0, 0, 1.495}, 0.1));
+    mast.joints = {joint(Kind::kFlexible, 0, 1, {0, 0, 1}, Vector3::UnitZ()),
+                   joint(Kind::kFixed, 1, 2, {0, 0, 1.2}, Vector3::UnitZ())};
+    mast.joints[0].stiffness = stiffness;
+    EXPECT_EQ(refused(mast), stiffness < 19.6) << stiffness;
+  }
+}
+
 // -c (w_part - w_base) on the part, about any axis and however far it has turned from its base.
 TEST(Parts, ADampedBallTakesTheRelativeAngularVelocity) {
   Scene scene = held_block();

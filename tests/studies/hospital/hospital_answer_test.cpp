@@ -263,6 +263,29 @@ TEST_F(HospitalTest, FewOutcomesAreBoundedByThoseJustAbove) {
   expect(chance(on("curve", "on", "[0.2, 0.5]"), 1), falls(0.5, 0.3, 0.4));
 }
 
+// With a scatter of the floors' velocities each sample is bounded at its own: the mean of both sides of a count.
+TEST_F(HospitalTest, FewOutcomesAreBoundedAtTheVelocityOfTheSample) {
+  folder_.write("curves.csv",
+                "item,floor,place,brakes,limit_state,measure,unit,runs,exceed,theta,theta_low,"
+                "theta_high,beta,reason\n"
+                "cart,ground,open,off,fell,pfv,m/s,128,8,,,,,quasi-complete separation\n");
+  folder_.write("above.csv",
+                "item,floor,place,brakes,limit_state,measure,0.5,5\n"
+                "cart,ground,open,off,fell,pfv,0/32,8/32\n");
+  std::string text = kHospital;
+  const auto put = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  put("\"curves.csv\"", "[\"curves.csv\", \"above.csv\"]");
+  put("name = \"first\"", "name = \"first\"\npfv_over_pgv = 1\npfv_beta = 0.4");
+  put("[0.2, 0.5]", "[0.5]");
+  text.erase(text.find("[[action]]"));
+  const HospitalAnswer found = answer(read_hospital(folder_.write("h.toml", text)));
+  const double expected =
+      (statistics::beta_quantile(0.5, 0.5, 32.5) + statistics::beta_quantile(0.5, 8.5, 24.5)) / 2;
+  EXPECT_NEAR(found.levels[0].loss.value / (15 * 600), expected, bound(expected));
+}
+
 TEST_F(HospitalTest, SaysWhatHasNoCurve) {
   const HospitalAnswer high =
       answer(hospital("name = \"first\"", "name = \"first\"\nfloor = \"high\""));

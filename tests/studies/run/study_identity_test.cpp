@@ -105,6 +105,12 @@ TEST(StudyIdentity, RunsAreTheSameWhateverRunsThereAre) {
             "study.factor[storey].level.ground.floor: there nothing, here '1'");
   EXPECT_EQ(run_difference(job, with("\"a\"", "\"b\"")),
             "floor.covering: there '\"a\"', here '\"b\"'");
+  // Files lie elsewhere on another machine, and no run has the item of the job.
+  const auto placed = [&](const std::string& folder, const std::string& item) {
+    return "item.equipment = \"" + item + "\"\n" +
+           with("draws = 2", "excitation.file = \"" + folder + "/quake.csv\"\ndraws = 2");
+  };
+  EXPECT_EQ(run_difference(placed("/a/b", "bed"), placed("/c", "pole")), "");
   EXPECT_EQ(run_difference(job, with("draws = 2", "draws = 3")),
             "study.draws: there '2', here '3'");
 }

@@ -112,7 +112,7 @@ def check_losses():
     assert losses.best_of(samples) == "off"
     assert [losses.share_of(samples, s) for s in ("off", "on")] == ["0.50", "1.00"]
     for row in shipped.values():
-        assert max(float(row[f"share_{s}"]) for s in losses.SETTINGS) > 0.33, row
+        assert sum(float(row[f"share_{s}"]) for s in losses.SETTINGS) > 1 - 3 * 0.005, row  # each rounded; ties count twice
     states(f"less than {100 * losses.SETTLED:.0f} % of the samples")
 
 
