@@ -296,13 +296,21 @@ class CurveOutcomes : public OutcomeSource {
     Reach reach{bit(state.name), state.capacity, {}};
     if (!state.few()) return reach;
     if (state.exceed == 0 && state.runs.value_or(0) > 0)
-      reach.thresholds.emplace_back(0, Threshold(0, *state.runs));
+      reach.thresholds.emplace_back(0, threshold(0, *state.runs));
     else
       for (const Count& count : state.counts)
         reach.thresholds.emplace_back(std::log(count.velocity),
-                                      Threshold(count.exceed, count.motions));
+                                      threshold(count.exceed, count.motions));
     if (reach.thresholds.empty()) loose_[state.name].insert(item);
     return reach;
+  }
+
+  const Threshold& threshold(std::size_t exceed, std::size_t motions) const {
+    const auto known = thresholds_.find({exceed, motions});
+    return known != thresholds_.end()
+               ? known->second
+               : thresholds_.emplace(std::pair(exceed, motions), Threshold(exceed, motions))
+                     .first->second;
   }
 
   /// @param log_im  of the highest velocity that is asked for, 1.6 deviations of a scatter above
@@ -360,6 +368,8 @@ class CurveOutcomes : public OutcomeSource {
   std::vector<std::string> states_;
   // What to caution of, with the items that it concerns; collected as outcomes are asked for.
   mutable std::map<std::string, std::set<std::string>> missing_, beyond_, loose_;
+  mutable std::map<std::pair<std::size_t, std::size_t>, Threshold>
+      thresholds_;  ///< those asked for
 };
 
 }  // namespace

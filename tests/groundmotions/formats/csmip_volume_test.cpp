@@ -5,6 +5,7 @@
 #include "engine/base/units.h"
 #include "groundmotions/formats/readers.h"
 #include "tests/groundmotions/formats/network_samples.h"
+#include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {
@@ -15,12 +16,6 @@ using testing::HasSubstr;
 
 std::vector<Component> read(const std::string& text, const ReadOptions& options = {}) {
   return read_components(SourceFile("f.V1", text), options);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 /// @param tolerance  half of the last printed digit [g]
@@ -96,11 +91,11 @@ TEST(CsmipVolume, ReadsTimesAbove100SecondsThatStickToTheValues) {
 
 TEST(CsmipVolume, TakesTheUnitOfTheTextAndChecksItByThePeak) {
   std::string text = pairs_volume1({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9});
-  const auto component = read(replaced(text, "     0.100", "     1.000"))[0];
+  const auto component = read(replaced_once(text, "     0.100", "     1.000"))[0];
   expect_the_motion(component, 1e-12);
   EXPECT_THAT(component.warnings, ElementsAre("the text states the unit g/10, which was taken, but "
                                               "real number 5 of the header 1 g"));
-  EXPECT_THAT(error_text([&] { read(replaced(text, "G/10", "G   ")); }),
+  EXPECT_THAT(error_text([&] { read(replaced_once(text, "G/10", "G   ")); }),
               HasSubstr("f.V1:12:1: the file states a peak of 0.98067 m/s2, but its samples have "
                         "9.3457 m/s2"));
 }
@@ -165,17 +160,19 @@ TEST(CsmipVolume, ChecksTheLength) {
 }
 
 TEST(CsmipVolume, ChecksCountsUnitsAndSteps) {
-  EXPECT_THAT(error_text([] { read(replaced(csmip_volume1(), "   10 POINTS", "   12 POINTS")); }),
-              HasSubstr("f.V1:30:19: '' is not a number of the format 8F9.6"));
-  EXPECT_THAT(error_text([] { read(replaced(csmip_volume1(), "   10 POINTS", "    8 POINTS")); }),
-              HasSubstr("f.V1:30:1: the samples of this channel end here, but neither the next "
-                        "channel nor the end of the file follows: '0.002"));
+  EXPECT_THAT(
+      error_text([] { read(replaced_once(csmip_volume1(), "   10 POINTS", "   12 POINTS")); }),
+      HasSubstr("f.V1:30:19: '' is not a number of the format 8F9.6"));
+  EXPECT_THAT(
+      error_text([] { read(replaced_once(csmip_volume1(), "   10 POINTS", "    8 POINTS")); }),
+      HasSubstr("f.V1:30:1: the samples of this channel end here, but neither the next "
+                "channel nor the end of the file follows: '0.002"));
   EXPECT_THAT(error_text([] { read(csmip_volume1(), {.unit = "cm/s2"}); }),
               HasSubstr("f.V1:28:1: the file states the unit g, but unit = \"cm/s2\" was given"));
   EXPECT_THAT(
       error_text([] { read(csmip_volume1(), {.time_step = 0.01}); }),
       HasSubstr("the file states a time step of 0.005 s, but time_step_s = 0.01 was given"));
-  EXPECT_THAT(error_text([] { read(replaced(csmip_volume1(), " 0.003000", "****-****")); }),
+  EXPECT_THAT(error_text([] { read(replaced_once(csmip_volume1(), " 0.003000", "****-****")); }),
               HasSubstr("f.V1:29:19: '****-****' is not a number of the format 8F9.6"));
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/readers.h"
+#include "tests/groundmotions/formats/text_file.h"
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {
@@ -13,12 +14,6 @@ constexpr double kG = kStandardGravity;
 
 std::vector<Component> read(const std::string& text, const ReadOptions& options = {}) {
   return read_components(SourceFile("f.AT2", text), options);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
 }
 
 std::string file_with(const std::string& count_and_step) {
@@ -56,17 +51,18 @@ TEST(PeerAt2, ReadsEverySpellingOfCountAndStep) {
 TEST(PeerAt2, ReadsEveryKindOfLineEnd) {
   const std::string text = file_with("NPTS=   5, DT=   .0200 SEC");
   for (const char* end : {"\r\n", "\r\r\n", "\r"})
-    expect_the_motion(read(replaced(text, "\n", end)));
+    expect_the_motion(read(replaced_once(text, "\n", end)));
   expect_the_motion(read(text.substr(0, text.size() - 1)));
 }
 
 TEST(PeerAt2, ReadsOldAndEasternTitles) {
   const std::string text = file_with("NPTS=   5, DT=   .0200 SEC");
-  expect_the_motion(read(replaced(text, "SERIES IN UNITS OF G", "HISTORY IN UNITS OF G. FILTER")));
   expect_the_motion(
-      read(replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G", "The units are (g)")));
-  expect_the_motion(read(replaced(text, "PEER NGA STRONG MOTION DATABASE RECORD",
-                                  "PACIFIC ENGINEERING AND ANALYSIS STRONG-MOTION DATA   ")));
+      read(replaced_once(text, "SERIES IN UNITS OF G", "HISTORY IN UNITS OF G. FILTER")));
+  expect_the_motion(
+      read(replaced_once(text, "ACCELERATION TIME SERIES IN UNITS OF G", "The units are (g)")));
+  expect_the_motion(read(replaced_once(text, "PEER NGA STRONG MOTION DATABASE RECORD",
+                                       "PACIFIC ENGINEERING AND ANALYSIS STRONG-MOTION DATA   ")));
 }
 
 TEST(PeerAt2, ReadsGluedAndWideNumbers) {
@@ -95,7 +91,8 @@ TEST(PeerAt2, SkipsTextBeforeTheNumbers) {
 }
 
 TEST(PeerAt2, TurnsDownToUp) {
-  const Component component = read(replaced(file_with("NPTS= 5, DT= .02 SEC"), "228", "DWN"))[0];
+  const Component component =
+      read(replaced_once(file_with("NPTS= 5, DT= .02 SEC"), "228", "DWN"))[0];
   EXPECT_EQ(component.direction, Direction::kVertical);
   EXPECT_DOUBLE_EQ(component.acceleration[0], -0.1 * kG);
   EXPECT_THAT(
@@ -113,7 +110,7 @@ TEST(PeerAt2, RefusesOptionsForOtherFiles) {
 
 TEST(PeerAt2, KnowsTheComponentAndItsAzimuth) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
-  const auto with = [&](const char* name) { return read(replaced(text, "228", name))[0]; };
+  const auto with = [&](const char* name) { return read(replaced_once(text, "228", name))[0]; };
   EXPECT_EQ(with("228").name, "228");
   EXPECT_DOUBLE_EQ(*with("228").azimuth, 228 * kRadiansPerDegree);
   EXPECT_DOUBLE_EQ(*with("360 (CDMG STATION 24461)").azimuth, 360 * kRadiansPerDegree);
@@ -131,17 +128,17 @@ TEST(PeerAt2, KnowsBearingsAndNoChannelNumbers) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
   for (const auto& [name, degrees] :
        {std::pair{"N38E", 38}, {"S38W", 218}, {"45 DEG", 45}, {"W", 270}, {"S", 180}})
-    EXPECT_NEAR(read(replaced(text, "228", name))[0].azimuth.value_or(-1),
+    EXPECT_NEAR(read(replaced_once(text, "228", name))[0].azimuth.value_or(-1),
                 degrees * kRadiansPerDegree, 1e-12)
         << name;
   for (const char* name : {"1", "2", "3", "ENE"})
-    EXPECT_FALSE(read(replaced(text, "228", name))[0].azimuth) << name;
+    EXPECT_FALSE(read(replaced_once(text, "228", name))[0].azimuth) << name;
 }
 
 TEST(PeerAt2, ReadsOtherWaysToStateQuantityAndUnit) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
   const auto with = [&](const char* line) {
-    return replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G", line);
+    return replaced_once(text, "ACCELERATION TIME SERIES IN UNITS OF G", line);
   };
   for (const char* line : {"ACCELERATION (G)", "ACCELERATION IN G", "ACCELERATION HISTORY [g]"})
     expect_the_motion(read(with(line)));
@@ -184,8 +181,8 @@ TEST(PeerAt2, TakesTheAzimuthAfterARotation) {
   const Component normal = read(file)[0];
   EXPECT_EQ(normal.name, "FN");
   EXPECT_DOUBLE_EQ(*normal.azimuth, 310 * kRadiansPerDegree);
-  const Component parallel =
-      read(replaced(file, "FN component, azimuth =   310.0", "FP component, azimuth =   40.0"))[0];
+  const Component parallel = read(
+      replaced_once(file, "FN component, azimuth =   310.0", "FP component, azimuth =   40.0"))[0];
   EXPECT_DOUBLE_EQ(*parallel.azimuth, 40 * kRadiansPerDegree);
 }
 
@@ -193,36 +190,36 @@ TEST(PeerAt2, ReadsMillisecondsAndExponentsOfFortran) {
   expect_the_motion(read(file_with("NPTS=   5, DT=20 MSEC")));
   expect_the_motion(read(file_with("NPTS=   5, DT= 20.0 ms")));
   expect_the_motion(read(file_with("NPTS= 5, DT= .2D-01 SEC")));
-  expect_the_motion(read(replaced(file_with("NPTS= 5, DT= .02 SEC"), "E+00", "D+00")));
+  expect_the_motion(read(replaced_once(file_with("NPTS= 5, DT= .02 SEC"), "E+00", "D+00")));
 }
 
 TEST(PeerAt2, FindsTheComponentBelowBlankLines) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
   for (const std::string& other :
-       {"\n\n" + text, replaced(text, "PEER NGA STRONG MOTION DATABASE RECORD", ""),
-        replaced(text, "RECORD\n", "RECORD\n\n")}) {
+       {"\n\n" + text, replaced_once(text, "PEER NGA STRONG MOTION DATABASE RECORD", ""),
+        replaced_once(text, "RECORD\n", "RECORD\n\n")}) {
     expect_the_motion(read(other));
     EXPECT_EQ(read(other)[0].name, "228") << other;
   }
-  EXPECT_THAT(error_text([&] { read("\n" + replaced(text, ".1000000E+00", ".1x00000E+00")); }),
+  EXPECT_THAT(error_text([&] { read("\n" + replaced_once(text, ".1000000E+00", ".1x00000E+00")); }),
               HasSubstr("f.AT2:6:4: '.1x00000E+00' is not a finite number"));
 }
 
 TEST(PeerAt2, RefusesVelocityAndDisplacement) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
   EXPECT_EQ(error_text([&] {
-              read(replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G",
-                            "VELOCITY TIME SERIES IN UNITS OF CM/S"));
+              read(replaced_once(text, "ACCELERATION TIME SERIES IN UNITS OF G",
+                                 "VELOCITY TIME SERIES IN UNITS OF CM/S"));
             }),
             "f.AT2:3:1: a record must be acceleration, but this is a velocity file ('VELOCITY TIME "
             "SERIES IN UNITS OF CM/S'); take the .AT2 file of this component");
   EXPECT_THAT(
       error_text([&] {
-        read(replaced(text, "ACCELERATION TIME SERIES IN UNITS OF G",
-                      "DISPLACEMENT TIME HISTORY IN UNITS OF CM. FILTER POINTS"));
+        read(replaced_once(text, "ACCELERATION TIME SERIES IN UNITS OF G",
+                           "DISPLACEMENT TIME HISTORY IN UNITS OF CM. FILTER POINTS"));
       }),
       HasSubstr("f.AT2:3:1: a record must be acceleration, but this is a displacement file"));
-  EXPECT_THAT(error_text([&] { read(replaced(text, "UNITS OF G", "UNITS OF CM/S")); }),
+  EXPECT_THAT(error_text([&] { read(replaced_once(text, "UNITS OF G", "UNITS OF CM/S")); }),
               HasSubstr("f.AT2:3:1: 'CM/S' is not a unit of acceleration: g, m/s2"));
 }
 
@@ -237,10 +234,11 @@ TEST(PeerAt2, RefusesACountThatDoesNotMatch) {
 
 TEST(PeerAt2, ReportsAllBadNumbersAtOnce) {
   const std::string text = file_with("NPTS= 5, DT= .02 SEC");
-  EXPECT_EQ(error_text([&] {
-              read(replaced(replaced(text, "-.2000000E+00", "NaN"), "-.4000000E+00", "******"));
-            }),
-            "f.AT2:5:18: 'NaN' is not a finite number\nf.AT2:6:3: '******' is not a finite number");
+  EXPECT_EQ(
+      error_text([&] {
+        read(replaced_once(replaced_once(text, "-.2000000E+00", "NaN"), "-.4000000E+00", "******"));
+      }),
+      "f.AT2:5:18: 'NaN' is not a finite number\nf.AT2:6:3: '******' is not a finite number");
 }
 
 TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
@@ -249,12 +247,13 @@ TEST(PeerAt2, ChecksTheStepAndTheUnitAgainstTheUser) {
   EXPECT_EQ(error_text([&] { read(text, {.unit = "cm/s2", .time_step = 0.01}); }),
             "f.AT2:4:1: the file states a time step of 0.02 s, but time_step_s = 0.01 was given\n"
             "f.AT2:3:1: the file states the unit g, but unit = \"cm/s2\" was given");
-  EXPECT_EQ(error_text([&] { read(replaced(text, "DT= .02", "DT= 0.0")); }),
+  EXPECT_EQ(error_text([&] { read(replaced_once(text, "DT= .02", "DT= 0.0")); }),
             "f.AT2:4:1: DT must be in [1e-05, 1] s, got 0");
-  EXPECT_EQ(error_text([&] { read(replaced(text, ", DT= .02 SEC", "")); }),
+  EXPECT_EQ(error_text([&] { read(replaced_once(text, ", DT= .02 SEC", "")); }),
             "f.AT2: the file does not state its time step; state it as time_step_s or gurney "
             "records --time-step");
-  expect_the_motion(read(replaced(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));
+  expect_the_motion(
+      read(replaced_once(text, ", DT= .02 SEC", ""), {.unit = "", .time_step = 0.02}));
 }
 
 // Whatever is cut off or changed must be reported; only the last line end may go.

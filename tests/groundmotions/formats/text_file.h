@@ -21,6 +21,13 @@ inline Component read_one(const std::string& text, const ReadOptions& options = 
   return components.at(0);
 }
 
+/// `text` with its first `from` replaced by `to`; it is there.
+inline std::string replaced_once(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
 /// `text` with every `from` replaced by `to`.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
