@@ -74,16 +74,14 @@ void TorsionResponse::step(const Vector2& ground0, const Vector2& ground1) {
                          -modes_[i].participation.dot(ground1));
 }
 
-Vector3 TorsionResponse::at_place(const Vector3& shape) const {
-  return {shape.x() - shape.z() * place_.y(), shape.y() + shape.z() * place_.x(), shape.z()};
-}
-
 Vector3 TorsionResponse::acceleration(const Vector2& ground) const {
   Vector3 result(ground.x(), ground.y(), 0);
   for (std::size_t i = 0; i < modes_.size(); ++i) {
     const TorsionMode& mode = modes_[i];
     const Oscillator& q = oscillators_[i];
-    result -= at_place(mode.shape.col(floor_)) *
+    const Vector3 axis = mode.shape.col(floor_);
+    const Vector2 moved = at_place(place_, axis);
+    result -= Vector3(moved.x(), moved.y(), axis.z()) *
               (mode.participation.dot(ground) + 2 * mode.damping * mode.omega * q.velocity() +
                mode.omega * mode.omega * q.displacement());
   }
@@ -103,7 +101,7 @@ double TorsionResponse::storey_drift() const {
   for (std::size_t i = 0; i < modes_.size(); ++i)
     for (Eigen::Index floor = 0; floor < moved.cols(); ++floor)
       moved.col(floor) +=
-          oscillators_[i].displacement() * at_place(modes_[i].shape.col(floor)).head<2>();
+          oscillators_[i].displacement() * at_place(place_, modes_[i].shape.col(floor));
   return std::max(largest_storey_drift(moved.row(0)), largest_storey_drift(moved.row(1)));
 }
 

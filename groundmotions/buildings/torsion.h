@@ -50,6 +50,11 @@ struct TorsionMode {
 /// All 3 n modes, undamped, in rising order.
 std::vector<TorsionMode> torsion_modes(const TorsionalBuilding& building);
 
+/// Motion of a place of a floor whose axis of stiffness moves by `axis`: u_x, u_y and theta.
+inline Vector2 at_place(const Vector2& place, const Vector3& axis) {
+  return {axis.x() - axis.z() * place.y(), axis.y() + axis.z() * place.x()};
+}
+
 /// The motion of one place of a floor: a_ground + sum phi_i(place) q_i'', and the floor's yaw, with the
 /// exact step for a ground acceleration that is linear between samples.
 class TorsionResponse {
@@ -71,9 +76,6 @@ class TorsionResponse {
   double storey_drift() const;
 
  private:
-  /// Displacements at the place and yaw of a mode with its shape at the axis of stiffness.
-  Vector3 at_place(const Vector3& shape) const;
-
   std::vector<TorsionMode> modes_;
   Eigen::Index floor_;
   Vector2 place_;

@@ -39,11 +39,6 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigen::MatrixXd
   return momenta * viscosities.asDiagonal() * momenta.transpose();
 }
 
-/// u_x, u_y of a place whose axis moves by `moved` and turns by its last entry.
-Vector2 at(const Vector2& place, const Vector3& moved) {
-  return {moved.x() - moved.z() * place.y(), moved.y() + moved.z() * place.x()};
-}
-
 /// Shears at a place as ones at the axis and a torque.
 Vector3 about_axis(const Vector2& place, const Vector2& shear) {
   return {shear.x(), shear.y(), place.x() * shear.y() - place.y() * shear.x()};
@@ -126,10 +121,10 @@ Eigen::Matrix3Xd YieldingMotion::mean_forces(const Eigen::Matrix3Xd& increment) 
   for (Eigen::Index i = 0; i < increment.cols(); ++i) {
     const double yield = storeys_.yield_drift[i];
     for (Column& column : columns_[static_cast<std::size_t>(i)]) {
-      const Vector2 moved = at(column.place, increment.col(i));
+      const Vector2 moved = at_place(column.place, increment.col(i));
       const Sliding slid = slide(column.z, moved / yield);
       column.next_z = slid.end;
-      const Vector2 middle = at(column.place, drift_.col(i)) + moved / 2;
+      const Vector2 middle = at_place(column.place, drift_.col(i)) + moved / 2;
       result.col(i) += about_axis(
           column.place,
           column.stiffness.cwiseProduct(alpha * middle + (1 - alpha) * yield * slid.mean));
@@ -142,9 +137,9 @@ Vector3 YieldingMotion::force(Eigen::Index storey) const {
   const double alpha = storeys_.hardening, yield = storeys_.yield_drift[storey];
   Vector3 result = Vector3::Zero();
   for (const Column& column : columns_[static_cast<std::size_t>(storey)])
-    result += about_axis(
-        column.place, column.stiffness.cwiseProduct(alpha * at(column.place, drift_.col(storey)) +
-                                                    (1 - alpha) * yield * column.z));
+    result += about_axis(column.place, column.stiffness.cwiseProduct(
+                                           alpha * at_place(column.place, drift_.col(storey)) +
+                                           (1 - alpha) * yield * column.z));
   return result;
 }
 
@@ -186,8 +181,8 @@ void YieldingMotion::step(const Vector2& ground0, const Vector2& ground1) {
     energy_.hysteresis += forces.col(i).dot(increment.col(i));
     for (Column& column : columns_[static_cast<std::size_t>(i)]) {
       const Vector2 elastic = storeys_.hardening * column.stiffness;
-      const Vector2 start = at(column.place, drift_.col(i)),
-                    end = start + at(column.place, increment.col(i));
+      const Vector2 start = at_place(column.place, drift_.col(i)),
+                    end = start + at_place(column.place, increment.col(i));
       energy_.strain += elastic.dot(end.cwiseAbs2()) / 2;
       energy_.hysteresis -= elastic.dot((end.cwiseAbs2() - start.cwiseAbs2())) / 2;
       column.z = column.next_z;
@@ -211,7 +206,7 @@ Vector3 YieldingMotion::floor_acceleration(Eigen::Index floor, const Vector2& pl
   const Vector2 e = storeys_.twist->eccentricity.col(i), centre = push.head<2>() / storeys_.mass[i];
   const double yaw = (push.z() / storeys_.mass[i] - e.x() * centre.y() + e.y() * centre.x()) /
                      (gyration_ * gyration_);
-  const Vector2 there = at(place - e, Vector3(centre.x(), centre.y(), yaw));
+  const Vector2 there = at_place(place - e, Vector3(centre.x(), centre.y(), yaw));
   return {there.x(), there.y(), yaw};
 }
 
@@ -221,7 +216,7 @@ Eigen::VectorXd YieldingMotion::column_drift() const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(drift_.cols());
   for (Eigen::Index i = 0; i < result.size(); ++i)
     for (const Column& column : columns_[static_cast<std::size_t>(i)])
-      result[i] = std::max(result[i], at(column.place, drift_.col(i)).norm());
+      result[i] = std::max(result[i], at_place(column.place, drift_.col(i)).norm());
   return result;
 }
 

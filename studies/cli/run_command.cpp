@@ -281,7 +281,7 @@ void check_output(const RunOutput& output) {
   files.check(output.log().string());
 }
 
-/// What the engine refuses names items of this job.
+/// The engine names items of this job in what it refuses.
 auto simulated(const study::PreparedRun& run, const std::string& job) {
   try {
     return run_judged(run.facts.scene, run.facts.floor, run.facts.settings, threads_or_all());

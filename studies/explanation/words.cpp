@@ -35,7 +35,7 @@ std::string uplift_text(const Event& event) {
                             of.longest_of, event.part);
 }
 
-/// What a part met on its joint; empty: nothing, or it only leant on it.
+/// Blow of a part against a stop of its joint; empty: it met none, or only leant on it.
 std::string met_a_stop(const ItemFacts& item, const UnitSystem& units) {
   constexpr double kMet = 0.005;  // [m/s] what two decimals show
   return item.stop_speed >= kMet

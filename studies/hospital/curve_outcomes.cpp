@@ -290,8 +290,8 @@ class CurveOutcomes : public OutcomeSource {
   }
 
  private:
-  /// Of few outcomes: as a stronger shaking is no safer, the chance is at most that of the motions just above;
-  /// of none in any run, that of all runs.
+  /// Chances of few outcomes are at most those of the motions just above, as a stronger shaking is no safer; of
+  /// none in any run, those of all runs.
   Reach reach_of(const State& state, const std::string& item) const {
     Reach reach{bit(state.name), state.capacity, {}};
     if (!state.few()) return reach;
@@ -325,7 +325,7 @@ class CurveOutcomes : public OutcomeSource {
       const LimitState& asked = consequences_.limit_states()[i];
       const std::string& name = asked.name;
       if (consequences_.of(item.equipment, i) == nullptr) continue;
-      // What stands on the floor has nowhere to fall.
+      // An item on the floor has nowhere to fall.
       if (asked.is_simple() && asked.quantity.column == "time_of_fall") continue;
       if (std::ranges::find(states, name, &State::name) != states.end()) continue;
       std::vector<std::string> known;
@@ -366,7 +366,7 @@ class CurveOutcomes : public OutcomeSource {
   const Consequences& consequences_;
   States settings_;
   std::vector<std::string> states_;
-  // What to caution of, with the items that it concerns; collected as outcomes are asked for.
+  // Cautions with the items that they concern, collected as outcomes are asked for.
   mutable std::map<std::string, std::set<std::string>> missing_, beyond_, loose_;
   mutable std::map<std::pair<std::size_t, std::size_t>, Threshold>
       thresholds_;  ///< those asked for

@@ -334,7 +334,7 @@ void add_levels(const StudyData& data, const Runs& runs, int threads, StudyLoss&
   }
 }
 
-/// What the curves cannot say: those beyond the runs, those of few runs, intensities beyond them.
+/// Cautions of curves beyond the runs, of those of few runs, and of intensities beyond them.
 void add_cautions_of_curves(const Runs& runs, const ReportUnit& unit, StudyLoss& loss) {
   const auto [low, high] = std::ranges::minmax(runs.all(), {}, &RunLoss::im);
   for (const FittedStep& step : loss.steps) {

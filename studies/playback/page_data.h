@@ -22,7 +22,7 @@ struct PageRun {
 /// Every how many samples one is kept.
 std::size_t stride(const std::vector<PageRun>& runs, std::size_t most_bytes = kMaxBytes);
 
-/// What is left of a run that is drawn in the scene of another: its items without wheels, their
+/// A run as it is drawn in the scene of another: its items without wheels, their
 /// poses, and when they overturned.
 RecordedRun ghost_of(const RecordedRun& run);
 
