@@ -11,7 +11,7 @@ namespace gurney {
 namespace {
 
 constexpr double kEventDistance =
-    1e-10;  // of a weight from its floor, of a latch from its yield [m]
+    1e-10;  // of a weight from its floor, of a latch or a tether from its release [m]
 /// Shorter remainders of a step are left out: rounding would be larger than the motion in them [s].
 constexpr double kShortestStep = 1e-8;
 
@@ -185,8 +185,9 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     crossings_.observe(i, assembly_.items[i].casters.size(), duration, first, second,
                        floor_second_.acceleration.z());
     const Tethers& tethers = assembly_.items[i].tethers;
-    if (!tethers.empty())
-      accounts_[i].damper_loss += tethers.break_overstressed(second_.end.items[i]);
+    const double lost = tethers.empty() ? 0 : tethers.break_overstressed(second_.end.items[i]);
+    accounts_[i].damper_loss += lost;
+    if (lost > 0) predictions_[i].known = false;  // its acceleration jumps
   }
   for (std::size_t j : island.joints) {
     const JointLaw& law = assembly_.joints[j];
@@ -207,9 +208,13 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
 
 double Stepper::past_event(const Island& island, const SceneState& state) const {
   double farthest = -1;
-  for (std::size_t i : island.items)
-    if (!assembly_.items[i].loads.empty())
-      farthest = std::max(farthest, assembly_.items[i].loads.penetration(state.items[i].loads));
+  for (std::size_t i : island.items) {
+    const Mechanism& item = assembly_.items[i];
+    if (!item.loads.empty())
+      farthest = std::max(farthest, item.loads.penetration(state.items[i].loads));
+    if (!item.tethers.empty())
+      farthest = std::max(farthest, item.tethers.past_strength(state.items[i]));
+  }
   for (std::size_t j : island.joints)
     farthest = std::max(farthest, assembly_.joints[j].past_release(state.joints[j]));
   return farthest;
@@ -217,6 +222,7 @@ double Stepper::past_event(const Island& island, const SceneState& state) const 
 
 std::optional<double> Stepper::locate_event(const Island& island, const SceneState& from,
                                             double duration) {
+  const double start = from.items[island.items.front()].time;
   double low = 0, high = duration;
   double at_low = past_event(island, from);
   double at_high = past_event(island, second_.end);
@@ -225,6 +231,7 @@ std::optional<double> Stepper::locate_event(const Island& island, const SceneSta
   for (int i = 0; i < kMaxEventTrials && high - low > 1e-15; ++i) {
     // Regula falsi on the step's length: the step ends at the event, and no law changes inside it.
     trial = low + (high - low) * at_low / (at_low - at_high);
+    trial = (start + trial) - start;  // what is between the times at its ends
     if (!attempt(island, from, trial)) return std::nullopt;
     const double here = past_event(island, second_.end);
     if (std::abs(here) < kEventDistance) break;
@@ -269,7 +276,9 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
   if (past_event(island, second_.end) > kEventDistance) {
     const std::optional<double> event = locate_event(island, state, duration);
     if (!event)
-      return "the landing of a drop weight or the release of a latch could not be located";
+      return "the landing of a drop weight, the release of a latch or the break of a tether could "
+             "not be "
+             "located";
     duration = *event;
     ++quality_.event_steps;
     accept(island, state, duration, observer);

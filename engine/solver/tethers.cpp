@@ -10,6 +10,8 @@ bool broken(const State& state, std::size_t i) { return (state.broken_tethers >>
 /// A cord that hangs straight down pulls nowhere: its horizontal pull grows to its full value over
 /// this horizontal distance [m].
 constexpr double kFullPull = 0.1;
+/// A cord nearer than this to its break, in stretch, breaks: events are located more closely [m].
+constexpr double kBreakDistance = 1e-9;
 
 }  // namespace
 
@@ -82,12 +84,22 @@ double Tethers::finish(double tau, const State& start, const Pose& pose, const V
   return rates;
 }
 
+double Tethers::past_strength(std::size_t i, const State& state) const {
+  return (tension(i, state) - tethers_[i].strength) / tethers_[i].stiffness;
+}
+
+double Tethers::past_strength(const State& state) const {
+  double farthest = -1;
+  for (std::size_t i = 0; i < tethers_.size(); ++i)
+    if (!broken(state, i)) farthest = std::max(farthest, past_strength(i, state));
+  return farthest;
+}
+
 double Tethers::break_overstressed(State& state) const {
   double lost = 0;
   for (std::size_t i = 0; i < tethers_.size(); ++i) {
-    if (broken(state, i)) continue;
+    if (broken(state, i) || past_strength(i, state) < -kBreakDistance) continue;
     const double s = std::max(stretch(tethers_[i], state), 0.0);
-    if (tethers_[i].stiffness * s <= tethers_[i].strength) continue;
     lost += 0.5 * tethers_[i].stiffness * s * s;
     state.broken_tethers |= 1u << i;
   }

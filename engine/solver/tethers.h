@@ -15,9 +15,8 @@ namespace gurney {
 ///
 ///     T = k s + min(max(c s', -k s), k s)  for s > 0, else 0,
 ///
-/// so that a cord never pushes and takes up its load without a jump. A tether whose spring force
-/// k s exceeds its strength at the end of a step has broken and carries nothing any more. Until
-/// then it also pulls with its slack pull H, horizontally towards the anchor: what hangs or lies on
+/// so that a cord never pushes and takes up its load without a jump. A tether breaks when T reaches its
+/// strength, an event at which a step ends (Stepper), and carries nothing any more. Until then it also pulls with its slack pull H, horizontally towards the anchor: what hangs or lies on
 /// the floor between the two has a horizontal tension, taut or not. Within kFullPull = 0.1 m of the
 /// anchor in plan H falls to 0 in proportion to the distance.
 class Tethers {
@@ -37,7 +36,10 @@ class Tethers {
   double finish(double tau, const State& start, const Pose& pose, const Vector6& velocity,
                 EnergyAccount& power) const;
 
-  /// Breaks those loaded beyond their strength; returns the energy lost [J].
+  /// Load of those that are whole beyond their strength, over their stiffness: the largest; -1 without
+  /// one that may break [m].
+  double past_strength(const State& state) const;
+  /// Breaks those loaded with their strength; returns the energy lost [J].
   double break_overstressed(State& state) const;
 
   double stored_energy(const State& state) const;
@@ -53,6 +55,7 @@ class Tethers {
             const Vector6& velocity) const;
   Loads::Row slack_pull(const Tether& tether, const Pose& pose) const;
   double stretch(const Tether& tether, const State& state) const;
+  double past_strength(std::size_t i, const State& state) const;
 
   std::vector<Tether> tethers_;  // points relative to the chassis' centre
   std::vector<std::size_t> indices_;
