@@ -2,27 +2,83 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+
+#include "engine/base/lanes.h"
 
 namespace gurney {
 namespace {
 
-/// Calls `f` with sizes that the compiler knows where they are those of bodies alone.
-template <class F>
-void with_sizes(Eigen::Index a, Eigen::Index b, const F& f) {
-  if (a == 6 && b == 6)
-    f(std::integral_constant<int, 6>{}, std::integral_constant<int, 6>{});
-  else
-    f(std::integral_constant<int, Eigen::Dynamic>{}, std::integral_constant<int, Eigen::Dynamic>{});
+constexpr Eigen::Index kFour = kLanes;
+/// Unknowns of a body without casters that keep theirs: sizes that the compiler knows.
+constexpr int kBody = 6;
+
+Lanes four(const double* numbers) { return loaded<1>(numbers)[0]; }
+void put(const Lanes& four, double* numbers) { store<1>({four}, numbers); }
+
+/// C -= A B by rows; A has `rows` times `inner` numbers.
+template <int kRows, int kInner, int kLength>
+[[gnu::always_inline]] inline void subtract_product(const double* a, Eigen::Index stride_a,
+                                                    const double* b, double* c,
+                                                    Eigen::Index stride_c, Eigen::Index rows,
+                                                    Eigen::Index inner, Eigen::Index length) {
+  if constexpr (kRows > 0) rows = kRows, inner = kInner, length = kLength, stride_a = kLength;
+  for (Eigen::Index i = 0; i < rows; ++i)
+    for (Eigen::Index j = 0; j < length; j += kFour) {
+      Lanes sum = four(c + i * stride_c + j);
+      for (Eigen::Index p = 0; p < inner; ++p)
+        sum = mul_add(splat<Lanes>(-a[i * stride_a + p]), four(b + p * length + j), sum);
+      put(sum, c + i * stride_c + j);
+    }
+}
+
+constexpr Eigen::Index rounded_up(Eigen::Index count) {
+  return (count + kFour - 1) / kFour * kFour;
 }
 
 }  // namespace
 
+void BlockSystem::clear() { sizes_.clear(); }
+
+std::size_t BlockSystem::add_block(Eigen::Index size) {
+  sizes_.push_back(size);
+  return sizes_.size() - 1;
+}
+
+Eigen::Index BlockSystem::stride(std::size_t a, std::size_t b) const {
+  return rounded_up(size_of(b) + (a == b ? 1 : 0));
+}
+
+void BlockSystem::add_numbers(std::size_t a, std::size_t b) {
+  place(a, b) = numbers_.size();
+  numbers_.resize(numbers_.size() + static_cast<std::size_t>(size_of(a) * stride(a, b)), 0.0);
+}
+
 void BlockSystem::set_zero() {
-  const auto unknowns = static_cast<std::size_t>(size());
-  matrix_.assign(unknowns * unknowns, 0.0);
-  right_side_.assign(unknowns, 0.0);
-  coupled_.assign(count() * count(), 0);
+  places_.assign(count() * count(), kNone);
+  numbers_.clear();
+  for (std::size_t k = 0; k < count(); ++k) add_numbers(k, k);
+}
+
+void BlockSystem::couple(std::size_t a, std::size_t b) {
+  if (a == b || coupled(a, b)) return;
+  add_numbers(a, b);
+  add_numbers(b, a);
+}
+
+inline void BlockSystem::Rows::swap(Eigen::Index i, Eigen::Index k) const {
+  std::swap_ranges(row(i), row(i) + stride, row(k));
+}
+
+inline void BlockSystem::Rows::multiply(Eigen::Index i, double factor) const {
+  double* const to = row(i);
+  for (Eigen::Index j = 0; j < stride; j += kFour) put(splat<Lanes>(factor) * four(to + j), to + j);
+}
+
+inline void BlockSystem::Rows::subtract(double factor, Eigen::Index from, Eigen::Index i) const {
+  const double* const other = row(from);
+  double* const to = row(i);
+  for (Eigen::Index j = 0; j < stride; j += kFour)
+    put(mul_add(splat<Lanes>(-factor), four(other + j), four(to + j)), to + j);
 }
 
 /// With the rows of block k, K_kk x_k + sum of K_kN x_N = b_k, written as
@@ -35,74 +91,60 @@ void BlockSystem::eliminate(std::size_t k) {
   for (std::size_t n = k + 1; n < count(); ++n)
     if (coupled(k, n)) later_.push_back(n);
   for (std::size_t m : later_)
-    for (std::size_t n : later_) coupled(m, n) = 1;
-  reduce_rows(k);
+    for (std::size_t n : later_) couple(m, n);
+  const Eigen::Index own = size_of(k);
+  own == kBody ? reduce_rows<kBody>(k) : reduce_rows<0>(k);
 
-  auto K = matrix();
-  auto b = right_side();
-  const Eigen::Index own = size_of(k), at = begin_[k];
-  for (std::size_t m : later_)
-    with_sizes(size_of(m), own, [&](auto rows, auto inner) {
-      constexpr int kRows = decltype(rows)::value, kOwn = decltype(inner)::value;
-      const Eigen::Index row = begin_[m], size = size_of(m);
-      const auto left = K.template block<kRows, kOwn>(row, at, size, own);
-      b.template segment<kRows>(row, size).noalias() -=
-          left.lazyProduct(b.template segment<kOwn>(at, own));
-      for (std::size_t n : later_)
-        with_sizes(size_of(n), own, [&](auto columns, auto) {
-          constexpr int kColumns = decltype(columns)::value;
-          const Eigen::Index column = begin_[n], width = size_of(n);
-          K.template block<kRows, kColumns>(row, column, size, width).noalias() -=
-              left.lazyProduct(K.template block<kOwn, kColumns>(at, column, own, width));
-        });
-    });
+  const Column b_k = right_side(k);
+  for (std::size_t m : later_) {
+    const double* const left = &numbers_[place(m, k)];
+    const Eigen::Index rows = size_of(m), stride_left = stride(m, k);
+    right_side(m).noalias() -= block(m, k).lazyProduct(b_k);
+    for (std::size_t n : later_) {
+      const double* const right = &numbers_[place(k, n)];
+      double* const to = &numbers_[place(m, n)];
+      const Eigen::Index width = stride(k, n), stride_to = stride(m, n);
+      if (own == kBody && rows == kBody && size_of(n) == kBody)
+        subtract_product<kBody, kBody, rounded_up(kBody)>(left, stride_left, right, to, stride_to,
+                                                          rows, own, width);
+      else
+        subtract_product<0, 0, 0>(left, stride_left, right, to, stride_to, rows, own, width);
+    }
+  }
 }
 
-/// Replaces K_kN and b_k by W_N and b_k'. The rows [K_kk K_kN ... b_k] are worked on one after the other.
+/// Replaces K_kN and b_k by W_N and b_k'.
+template <int kSize>
 void BlockSystem::reduce_rows(std::size_t k) {
-  auto K = matrix();
-  auto b = right_side();
-  const Eigen::Index own = size_of(k), at = begin_[k];
-  Eigen::Index width = own + 1;
-  for (std::size_t n : later_) width += size_of(n);
-  rows_.resize(static_cast<std::size_t>(own * width));
-  const auto row = [&](Eigen::Index i) { return rows_.data() + i * width; };
-  const auto visit = [&](const auto& move) {  // (place in a row, entry of K or b)
-    for (Eigen::Index i = 0; i < own; ++i) {
-      double* place = row(i);
-      for (Eigen::Index j = 0; j < own; ++j) move(*place++, K(at + i, at + j));
-      for (std::size_t n : later_)
-        for (Eigen::Index j = begin_[n]; j < begin_[n + 1]; ++j) move(*place++, K(at + i, j));
-      move(*place, b[at + i]);
-    }
-  };
-  visit([](double& place, double entry) { place = entry; });
+  const Eigen::Index own = kSize > 0 ? kSize : size_of(k);
+  rows_.clear();
+  for (std::size_t n : later_) rows_.push_back({&numbers_[place(k, n)], stride(k, n)});
+  const Rows K{&numbers_[place(k, k)], kSize > 0 ? rounded_up(kSize + 1) : stride(k, k)};
   for (Eigen::Index c = 0; c < own; ++c) {
     Eigen::Index pivot = c;
     for (Eigen::Index i = c + 1; i < own; ++i)
-      if (std::abs(row(i)[c]) > std::abs(row(pivot)[c])) pivot = i;
-    if (pivot != c) std::swap_ranges(row(c) + c, row(c) + width, row(pivot) + c);
-    const double* const from = row(c);
-    for (Eigen::Index j = c + 1; j < width; ++j) row(c)[j] /= from[c];
+      if (std::abs(K.row(i)[c]) > std::abs(K.row(pivot)[c])) pivot = i;
+    if (pivot != c) {
+      K.swap(c, pivot);
+      for (const Rows& rows : rows_) rows.swap(c, pivot);
+    }
+    const double inverse = 1 / K.row(c)[c];
+    K.multiply(c, inverse);
+    for (const Rows& rows : rows_) rows.multiply(c, inverse);
     for (Eigen::Index i = 0; i < own; ++i) {
       if (i == c) continue;
-      double* const to = row(i);
-      const double factor = to[c];
-      for (Eigen::Index j = c + 1; j < width; ++j) to[j] -= factor * from[j];
+      const double factor = K.row(i)[c];
+      K.subtract(factor, c, i);
+      for (const Rows& rows : rows_) rows.subtract(factor, c, i);
     }
   }
-  visit([](double place, double& entry) { entry = place; });
 }
 
 void BlockSystem::solve() {
   for (std::size_t k = 0; k < count(); ++k) eliminate(k);
-  auto K = matrix();
-  auto x = right_side();
   for (std::size_t k = count(); k-- > 0;)
     for (std::size_t n = k + 1; n < count(); ++n)
-      if (coupled(k, n))
-        x.segment(begin_[k], size_of(k)) -= K.block(begin_[k], begin_[n], size_of(k), size_of(n))
-                                                .lazyProduct(x.segment(begin_[n], size_of(n)));
+      if (coupled(k, n)) right_side(k).noalias() -= block(k, n).lazyProduct(right_side(n));
 }
 
 }  // namespace gurney

@@ -10,10 +10,15 @@ namespace gurney {
 class ContactMemory {
  public:
   /// Matches contacts to stored states, nearest first, one-to-one; `states` become those of
-  /// `contacts`, in their order.
+  /// `contacts`, in their order. Those of a pair stand side by side in both (Islands::update).
   void match(const std::vector<BodyContact>& contacts, std::vector<BodyContactState>& states);
 
  private:
+  /// Those of one pair, from `begin` to `end`; its states are looked for from `hint` on, which becomes
+  /// their end.
+  void match_pair(const std::vector<BodyContact>& contacts, std::size_t begin, std::size_t end,
+                  std::size_t& hint, std::vector<BodyContactState>& states);
+
   struct Match {
     double distance;  // [m]
     std::size_t now, before;

@@ -7,6 +7,17 @@
 
 namespace gurney {
 
+Matrix6 slope_between(const Matrix3& slope, const Vector3& a, const Vector3& b) {
+  // | D        -D [b]x      |,  and d' [b]x = -(b x d)' for a row d'.
+  // | [a]x D   -[a]x D [b]x |
+  Matrix6 between;
+  between.topLeftCorner<3, 3>() = slope;
+  for (int k = 0; k < 3; ++k) between.block<3, 1>(3, k) = a.cross(slope.col(k));
+  for (int k = 0; k < 6; ++k)
+    between.block<1, 3>(k, 3) = b.cross(between.block<1, 3>(k, 0).transpose()).transpose();
+  return between;
+}
+
 // Sums go from numbers of Eigen's to lanes and back. What was just written number by number is read
 // as lanes after the casters' turn: at once, the processor would wait for it.
 
@@ -124,11 +135,8 @@ void ItemStage::begin_matrix() {
   store(sums, matrix_.data());
 }
 
-void ItemStage::add_contact_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
-                                  const Matrix3& slope) {
-  // tau J' D J of a contact; slope has the factor tau.
-  matrix_ += chassis.transpose() * slope * chassis;
-  if (caster < 0) return;
+void ItemStage::add_joint_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
+                                const Matrix3& slope) {
   lanes_of(caster).add_slopes(lane_of(caster), chassis.transpose() * slope * joints,
                               joints.transpose() * slope * chassis,
                               joints.transpose() * slope * joints);

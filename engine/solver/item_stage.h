@@ -9,6 +9,10 @@
 
 namespace gurney {
 
+/// J_a' D J_b of two chassis that touch at points a and b from their centres, with J = [1 -[p]x].
+/// @param slope  D, floor axes
+Matrix6 slope_between(const Matrix3& slope, const Vector3& a, const Vector3& b);
+
 /// The equations of one item in one implicit stage of length tau (stage_solver.h),
 ///
 ///     M (v - v_start) = tau (J' f(J v) + f_loads(v) - bias),
@@ -61,8 +65,10 @@ class ItemStage {
   /// K at the last v: begin, add every contact, then eliminate the joints of casters not kept.
   void begin_matrix();
   void keep(int caster) { lanes_of(caster).keep(lane_of(caster)); }
-  void add_contact_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
-                         const Matrix3& slope);
+  /// Adds tau J' D J of the chassis; and beside it what a contact on a wheel has, tau D its slope.
+  void add_slope(const Matrix6& slope) { matrix_ += slope; }
+  void add_joint_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
+                       const Matrix3& slope);
   void eliminate();
 
   /// Applies Newton's step of the chassis, and with it those of the eliminated joints.

@@ -73,14 +73,17 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
 
 void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
   for (std::size_t i : input.island->items) items_[i].begin_matrix();
-  for (const ContactWork& work : contacts_) {
+  for (ContactWork& work : contacts_) {
     if (!work.pushes()) continue;
-    const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     const Matrix3 slope = input.tau * work.slope;
-    items_[a.item].add_contact_slope(a.caster, work.side.chassis, work.side.joints, slope);
-    if (work.contact->between_items())
-      items_[b.item].add_contact_slope(b.caster, work.other_side.chassis, work.other_side.joints,
-                                       slope);
+    work.in_floor_axes = work.frame.transpose() * slope * work.frame;
+    const auto add = [&](const BodyContact::Side& at, const Side& side) {
+      items_[at.item].add_slope(slope_between(work.in_floor_axes, side.point, side.point));
+      if (at.caster >= 0)
+        items_[at.item].add_joint_slope(at.caster, side.chassis, side.joints, slope);
+    };
+    add(work.contact->side, work.side);
+    if (work.contact->between_items()) add(work.contact->other_side, work.other_side);
   }
   add_joint_slopes();
   for (std::size_t i : input.island->items) items_[i].eliminate();

@@ -70,7 +70,8 @@ class StageSolver {
     Matrix3 frame;  // rows: two tangents and the normal
     Side side, other_side;
     Vector3 force;
-    Matrix3 slope;
+    Matrix3 slope;          // D
+    Matrix3 in_floor_axes;  // tau frame' D frame, of the last Newton step
 
     /// Else force and slope are zero.
     bool pushes() const { return force.z() != 0; }
@@ -91,6 +92,8 @@ class StageSolver {
   void newton_step(const Input& input, std::vector<Velocity>& v);
   void coupled_steps(const Island& island, double tau, std::vector<Velocity>& v);
   void coupled_step(const std::vector<std::size_t>& group, double tau, std::vector<Velocity>& v);
+  void couple(const ContactWork& work, double tau);
+  void couple(const JointWork& work, double tau);
   void single_step(std::size_t item, std::vector<Velocity>& v);
   double geometry_error(const Island& island, const std::vector<Velocity>& v) const;
   void finish(const Input& input, const std::vector<Velocity>& v, Output& out);
@@ -117,10 +120,9 @@ class StageSolver {
   std::vector<JointWork> joints_;         // of the island
   std::vector<Velocity> v_, before_, full_;
   std::vector<std::size_t> group_of_, group_;  // items that push each other, by the first of them
-  /// Where the unknowns of an item are in the system of its group: its chassis, then its kept joints.
+  /// Where the unknowns of an item are in the system of its group: in a block its chassis, then its kept joints.
   struct Place {
     std::size_t block = 0;
-    Eigen::Index chassis = 0;
     std::array<Eigen::Index, kMaxCasters> joints{};
   };
   std::vector<Place> places_;  // as Scene::items

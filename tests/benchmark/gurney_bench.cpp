@@ -9,8 +9,8 @@
 /// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
 /// `--predictability`, `--refine`, `--settled`, `--replicas` and `--step-control` print the tables of
 /// docs/theory/predictability.md and step_control.md alone, `--intervals` that of
-/// docs/theory/statistics.md, `--cost` and `--rooms` those of
-/// docs/performance.md, and so does `--studies JOB...`.
+/// docs/theory/statistics.md, `--cost`, `--parts` and `--rooms` those of docs/performance.md, and so does
+/// `--studies JOB...`.
 int main(int argc, char** argv) try {
   using namespace gurney::benchmark;
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
@@ -28,6 +28,10 @@ int main(int argc, char** argv) try {
   }
   if (argc > 1 && std::string_view(argv[1]) == "--cost") {
     print_cost();
+    return 0;
+  }
+  if (argc > 1 && std::string_view(argv[1]) == "--parts") {
+    print_loaded_carts();
     return 0;
   }
   if (argc > 1 && std::string_view(argv[1]) == "--rooms") {

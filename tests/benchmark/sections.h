@@ -40,6 +40,9 @@ void print_intervals(int repeats);
 /// threads.
 void print_cost();
 
+/// CPU time of carts with parts and contents.
+void print_loaded_carts();
+
 /// CPU time of whole studies by what takes it: motions, buildings, draws, engine, the rest.
 void print_studies(const std::vector<std::string>& jobs, int cases);
 

@@ -4,9 +4,10 @@
 
 #include <Eigen/LU>
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace gurney {
 namespace {
@@ -17,37 +18,51 @@ struct Example {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 
+using Number = std::uniform_real_distribution<double>;
+
+/// Blocks of the example with random numbers, and a diagonal that dominates.
+BlockSystem filled(const Example& example, std::mt19937& random) {
+  Number number(-1, 1);
+  BlockSystem system;
+  for (std::size_t k = 0; k < example.sizes.size(); ++k)
+    EXPECT_EQ(system.add_block(example.sizes[k]), k);
+  system.set_zero();
+  for (const auto& [a, b] : example.pairs) system.couple(a, b);
+  for (std::size_t a = 0; a < system.count(); ++a)
+    for (std::size_t b = 0; b < system.count(); ++b) {
+      if (!system.coupled(a, b)) continue;
+      BlockSystem::Block block = system.block(a, b);
+      EXPECT_EQ(block.norm(), 0) << "zero at first";
+      for (Eigen::Index i = 0; i < block.rows(); ++i)
+        for (Eigen::Index j = 0; j < block.cols(); ++j)
+          block(i, j) = number(random) + (a == b && i == j ? 60 : 0);
+    }
+  for (std::size_t k = 0; k < system.count(); ++k)
+    for (double& each : system.right_side(k)) each = number(random);
+  return system;
+}
+
+/// K and b, or x, of all blocks.
+std::pair<Eigen::MatrixXd, Eigen::VectorXd> whole(BlockSystem& system) {
+  std::vector<Eigen::Index> begin{0};
+  for (std::size_t k = 0; k < system.count(); ++k) begin.push_back(begin[k] + system.size_of(k));
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(begin.back(), begin.back());
+  Eigen::VectorXd b(begin.back());
+  for (std::size_t m = 0; m < system.count(); ++m) {
+    b.segment(begin[m], system.size_of(m)) = system.right_side(m);
+    for (std::size_t n = 0; n < system.count(); ++n)
+      if (system.coupled(m, n))
+        K.block(begin[m], begin[n], system.size_of(m), system.size_of(n)) = system.block(m, n);
+  }
+  return {K, b};
+}
+
 /// Norm of K x - b, with K and b as they were before, over that of b.
 double residual_of(const Example& example, std::mt19937& random) {
-  std::uniform_real_distribution<double> number(-1, 1);
-  BlockSystem system;
-  std::vector<Eigen::Index> begin;
-  for (const Eigen::Index size : example.sizes) {
-    begin.push_back(system.size());
-    EXPECT_EQ(system.add_block(size), begin.size() - 1);
-  }
-  system.set_zero();
-  auto K = system.matrix();
-  const auto fill = [&](std::size_t a, std::size_t b, double size) {
-    for (Eigen::Index i = 0; i < example.sizes[a]; ++i)
-      for (Eigen::Index j = 0; j < example.sizes[b]; ++j)
-        K(begin[a] + i, begin[b] + j) += size * number(random);
-  };
-  for (std::size_t k = 0; k < example.sizes.size(); ++k) {
-    fill(k, k, 1);
-    for (Eigen::Index i = 0; i < example.sizes[k]; ++i) K(begin[k] + i, begin[k] + i) += 60;
-  }
-  for (const auto& [a, b] : example.pairs) {
-    system.couple(a, b);
-    fill(a, b, 1);
-    fill(b, a, 1);
-  }
-  auto x = system.right_side();
-  for (double& each : x) each = number(random);
-  const Eigen::MatrixXd matrix = K;
-  const Eigen::VectorXd b = x;
+  BlockSystem system = filled(example, random);
+  const auto [K, b] = whole(system);
   system.solve();
-  return (matrix * x - b).norm() / b.norm();
+  return (K * whole(system).second - b).norm() / b.norm();
 }
 
 // Rounding of some 100 operations an entry; diagonals dominate.
@@ -62,27 +77,35 @@ TEST(BlockSystem, SolvesChainsStarsAndRings) {
     EXPECT_LT(residual_of(example, random), kRounding);
 }
 
+// A body whose largest entry of a column is not on the diagonal.
+TEST(BlockSystem, ChangesRowsWhereADiagonalVanishes) {
+  BlockSystem system;
+  system.add_block(6);
+  system.add_block(6);
+  system.set_zero();
+  system.couple(0, 1);
+  // Rows in reverse: x_i of the first block is its b_(5 - i), less half of that of the second.
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    system.block(0, 0)(i, 5 - i) = system.block(1, 1)(i, i) = 1;
+    system.block(0, 1)(i, 5 - i) = 0.5;
+    system.right_side(0)[i] = static_cast<double>(i);
+    system.right_side(1)[i] = 10.0 * static_cast<double>(i);
+  }
+  system.solve();
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    EXPECT_EQ(system.right_side(1)[i], 10.0 * static_cast<double>(i));
+    EXPECT_EQ(system.right_side(0)[i], static_cast<double>(5 - i) - 5.0 * static_cast<double>(i));
+  }
+}
+
 // Systems whose memory begins at other multiples of 16 bytes, as a heap of many sizes gives them.
 TEST(BlockSystem, HasTheSameBitsWhereverItsMemoryIs) {
   const auto solution = [] {
     std::mt19937 random(11);
-    std::uniform_real_distribution<double> number(-1, 1);
-    BlockSystem system;
-    for (const Eigen::Index size : {10, 6, 8, 6}) system.add_block(size);
-    system.set_zero();
-    for (std::size_t a = 0; a < 4; ++a)
-      for (std::size_t b = 0; b < a; ++b) system.couple(a, b);
-    auto K = system.matrix();
-    for (double& entry : K.reshaped()) entry = number(random);
-    K.diagonal().array() += 60;
-    for (double& entry : system.right_side()) entry = number(random);
-    const auto begins = [](const double* at) {
-      return reinterpret_cast<std::uintptr_t>(at) % EIGEN_MAX_ALIGN_BYTES;
-    };
-    EXPECT_EQ(begins(system.matrix().data()), 0);
-    EXPECT_EQ(begins(system.right_side().data()), 0);
+    BlockSystem system =
+        filled({{10, 6, 8, 6}, {{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}}}, random);
     system.solve();
-    return std::make_pair(Eigen::VectorXd(system.right_side()), std::move(system));
+    return std::make_pair(whole(system).second, std::move(system));
   };
   const auto first = solution();
   // 48 bytes each, with those of the heap itself.

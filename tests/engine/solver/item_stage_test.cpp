@@ -100,13 +100,27 @@ TEST(ItemStage, AddsTheForceAndTheSlopeOfAContact) {
   block.stage.add_contact_force(-1, jacobian, ItemStage::Matrix32::Zero(), f);
   block.stage.end_forces(block.input(), v);
   block.stage.begin_matrix();
-  block.stage.add_contact_slope(-1, jacobian, ItemStage::Matrix32::Zero(), kTau * slope);
+  block.stage.add_slope(kTau * slope_between(slope, x, x));
   block.stage.eliminate();
   Vector6 wrench;
   wrench << f, x.cross(f);
   EXPECT_LT((block.stage.right_side() - kTau * wrench).norm(), 1e-12);
   const Matrix6 added = kTau * jacobian.transpose() * slope * jacobian;
   EXPECT_LT((block.stage.matrix() - without - added).norm(), 1e-12);
+}
+
+// Of a slope that is not symmetric, as that of friction, between two points.
+TEST(ItemStage, CouplesTwoChassisByTheSlopeOfTheirContact) {
+  const Vector3 a(0.1, -0.2, 0.3), b(-0.4, 0.5, 0.7);
+  Matrix3 slope;
+  slope << 3, 1, 2, -1, 4, 0.5, 0, 0.3, 5;
+  const auto jacobian = [](const Vector3& p) {
+    ItemStage::Matrix36 J;
+    J << 1, 0, 0, 0, p.z(), -p.y(), 0, 1, 0, -p.z(), 0, p.x(), 0, 0, 1, p.y(), -p.x(), 0;
+    return J;
+  };
+  const Matrix6 expected = jacobian(a).transpose() * slope * jacobian(b);
+  EXPECT_LT((slope_between(slope, a, b) - expected).norm(), 1e-14);
 }
 
 TEST(ItemStage, AGuideThatHoldsTakesItsDirectionOut) {
