@@ -28,9 +28,13 @@ findings::List sentences(std::string title, Texts lines) {
 
 // How far items moved, and how the run ended.
 
+/// What lies on its side has no heading.
+bool has_heading(const Demands& d) { return d.time_of_overturning < 0; }
+
 std::string place(const Demands& d, const UnitSystem& units) {
-  return fmt::format("{} from its start, turned by {}", length(d.residual_displacement, units),
-                     units.fixed(d.residual_yaw, "rad", 1));
+  std::string text = length(d.residual_displacement, units) + " from its start";
+  if (has_heading(d)) text += ", turned by " + units.fixed(d.residual_yaw, "rad", 1);
+  return text;
 }
 
 std::string motion(const Demands& d, const UnitSystem& units) {
@@ -39,7 +43,7 @@ std::string motion(const Demands& d, const UnitSystem& units) {
       "The item moved at most {} from its start (at {:.2f} s), at up to {}, on a path of {}. ",
       length(d.peak_displacement, units), d.time_of_peak_displacement,
       units.text(d.peak_velocity, "m/s"), units.text(d.path_length, "m"));
-  if (d.peak_yaw / kRadiansPerDegree >= 0.05)
+  if (has_heading(d) && d.peak_yaw / kRadiansPerDegree >= 0.05)
     text += fmt::format("It turned by up to {}. ", units.fixed(d.peak_yaw, "rad", 1));
   return text;
 }

@@ -28,13 +28,15 @@ TEST(Story, ReportsEachOutcomeOfASingleItem) {
   EXPECT_THAT(text_of(facts, response),
               HasSubstr("The item moved at most 125 mm from its start (at 0.50 s)"));
   EXPECT_THAT(text_of(facts, response),
-              HasSubstr("It was at rest at 24.00 s, 625 mm from its start"));
+              HasSubstr("It was at rest at 24.00 s, 625 mm from its start, turned by "));
   response.outcome = Outcome::kStillMoving;
   EXPECT_THAT(text_of(facts, response),
               HasSubstr("STILL MOVED when the settling time was over at 24.00 s"));
   response.outcome = Outcome::kOverturned;
   response.items[0].demands.time_of_overturning = 7.5;
-  EXPECT_THAT(text_of(facts, response), HasSubstr("It overturned and lay at 24.00 s"));
+  EXPECT_THAT(text_of(facts, response),
+              HasSubstr("It overturned and lay at 24.00 s, 625 mm from its start.\n"));
+  EXPECT_THAT(text_of(facts, response), Not(HasSubstr("urned by "))) << "it has no heading";
   EXPECT_THAT(text_of(facts, response), HasSubstr("\nTrolley OVERTURNED at 7.50 s."));
   response.outcome = Outcome::kDiverged;
   response.cause = "no solution";
