@@ -479,6 +479,9 @@ Section calibration_facts(const calibration::Calibration& c,
   glance.fact("trials", "trials", c.read).json("simulated", c.simulated);
   glance.fact("source", "read from", c.source).add(constants_table(c));
   trials.add(trials_table(c)).add(excluded_table(c));
+  Texts without_kinetic;
+  for (const calibration::TrialFault& f : c.without_kinetic) without_kinetic.push_back(f.text());
+  trials.list("trials_without_kinetic_friction", "Without mu_k", without_kinetic);
   fit.add(values_table(c)).add(pulls_table(c));
   diagnostics.add(tests_table(c)).add(crosswise_table(c)).add(outliers_table(c));
   validation.add(validation_table(c));

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/base/linear_algebra.h"
+#include "engine/base/units.h"
 #include "studies/calibration/trials/average_method.h"
 #include "studies/calibration/trials/polynomial_fit.h"
 #include "studies/calibration/trials/trial.h"
@@ -217,6 +218,7 @@ struct MotionLaw {
 constexpr std::size_t kFewest = 24;
 constexpr double kFarthest = 0.3, kClocks = 0.05;  // [s]
 constexpr double kSure = 50;                       // variances
+constexpr double kSureLag = 5;                     // standard errors
 constexpr double kNear = 3;                        // a factor, of s from 1 with a lag
 constexpr Eigen::Index kScale = 3;                 // column
 
@@ -224,29 +226,44 @@ struct LawFit {
   double squares = 0, scale = 1, scale_error = 0;
 };
 
-/// The force `shift` samples later; its ends go on.
-LawFit fit(const TrialSignals& s, const Span& span, double inertia, std::ptrdiff_t shift) {
-  const auto n = static_cast<Eigen::Index>(span.size());
+/// What force and mass make of the motion, the force `shift` samples later; its ends go on.
+Eigen::VectorXd driven(const TrialSignals& s, const Span& span, double inertia,
+                       std::ptrdiff_t shift) {
   const auto last = static_cast<std::ptrdiff_t>(s.force.size()) - 1;
   const auto force = [&](std::size_t k) {
     return s.force[static_cast<std::size_t>(
         std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(k) + shift, 0, last))];
   };
-  const double whole = s.time[span.end - 1] - s.time[span.begin];
-  Eigen::Matrix<double, Eigen::Dynamic, 4> columns(n, 4);
-  Eigen::VectorXd x(n);
+  Eigen::VectorXd moved(static_cast<Eigen::Index>(span.size()));
   double once = 0, twice = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
+  moved[0] = 0;
+  for (Eigen::Index i = 1; i < moved.size(); ++i) {
     const std::size_t k = span.begin + static_cast<std::size_t>(i);
-    const double t = (s.time[k] - s.time[span.begin]) / whole;
-    if (i > 0) {
-      const double dt = s.time[k] - s.time[k - 1];
-      twice += dt * (once + dt * (2 * force(k - 1) + force(k)) / 6);
-      once += dt * (force(k - 1) + force(k)) / 2;
-    }
-    columns.row(i) << 1, t, t * t, twice / inertia;
-    x[i] = s.displacement[k];
+    const double dt = s.time[k] - s.time[k - 1];
+    twice += dt * (once + dt * (2 * force(k - 1) + force(k)) / 6);
+    once += dt * (force(k - 1) + force(k)) / 2;
+    moved[i] = twice / inertia;
   }
+  return moved;
+}
+
+using LawColumns = Eigen::Matrix<double, Eigen::Dynamic, 4>;
+
+LawColumns columns_of(const TrialSignals& s, const Span& span, const Eigen::VectorXd& moved) {
+  const double whole = s.time[span.end - 1] - s.time[span.begin];
+  LawColumns columns(moved.size(), 4);
+  for (Eigen::Index i = 0; i < moved.size(); ++i) {
+    const double t =
+        (s.time[span.begin + static_cast<std::size_t>(i)] - s.time[span.begin]) / whole;
+    columns.row(i) << 1, t, t * t, moved[i];
+  }
+  return columns;
+}
+
+LawFit fit(const TrialSignals& s, const Span& span, double inertia, std::ptrdiff_t shift) {
+  const auto n = static_cast<Eigen::Index>(span.size());
+  const LawColumns columns = columns_of(s, span, driven(s, span, inertia, shift));
+  const Eigen::Map<const Eigen::VectorXd> x(&s.displacement[span.begin], n);
   const Eigen::Matrix4d normal = columns.transpose() * columns;
   const Eigen::LDLT<Eigen::Matrix4d> factor(normal);
   const Eigen::Vector4d c = factor.solve(columns.transpose() * x);
@@ -256,14 +273,37 @@ LawFit fit(const TrialSignals& s, const Span& span, double inertia, std::ptrdiff
           std::sqrt(variance * factor.solve(Eigen::Vector4d::Unit(kScale))[kScale])};
 }
 
+/// Standard error of a lag, from what the noise of force and displacement does to the residuals in
+/// the direction g of a lag, the columns of the law removed: force noise is integrated twice and so
+/// is alike from sample to sample. On a force that only grows linearly nothing of g is left but
+/// noise. var = (sigma_x^2 |g|^2 + sigma_F^2 |K' g|^2) / |g|^4, K the double integration over M.
+double lag_error(const TrialSignals& s, const Span& span, double inertia, double step) {
+  const LawColumns columns = columns_of(s, span, driven(s, span, inertia, 0));
+  const Eigen::Matrix4d normal = columns.transpose() * columns;
+  const Eigen::VectorXd per_second =
+      (driven(s, span, inertia, 1) - driven(s, span, inertia, -1)) / (2 * step);
+  const Eigen::Vector4d c = normal.ldlt().solve(columns.transpose() * per_second);
+  const Eigen::VectorXd g = per_second - columns * c;
+  double once = 0, twice = 0, of_force = 0;  // K' g: sums from the end
+  for (Eigen::Index i = g.size() - 1; i >= 0; --i) {
+    of_force += std::pow(twice * step * step / inertia, 2);
+    once += g[i];
+    twice += once;
+  }
+  const double x_noise = noise_of(s.displacement), f_noise = noise_of(s.force);
+  return std::sqrt(x_noise * x_noise * g.squaredNorm() + f_noise * f_noise * of_force) /
+         g.squaredNorm();
+}
+
 /// While it moves against a constant resistance R,
 ///
 ///     x(t) = x_0 + v_0 t + s / M (int int F(t + lag) dt dt - R t^2 / 2)
 ///
 /// Least squares in x_0, v_0, s and s R for every lag within 0.3 s. `lag` is the best one with s
 /// within a factor of 3 from 1, where the sum of squares without any is larger by more than 50
-/// variances, and it is more than 0.05 s; 0 elsewhere, as where the force hardly changes and
-/// determines nothing. s is that without a lag.
+/// variances, and it is more than 0.05 s and five standard errors, and not the end of the range; 0
+/// elsewhere, as where the force hardly changes, or changes linearly, and determines nothing. s is
+/// that without a lag.
 /// @return nothing where `span` has less than 24 samples
 std::optional<MotionLaw> motion_law(const TrialSignals& s, const Span& span, double inertia) {
   if (span.size() < kFewest) return {};
@@ -281,7 +321,9 @@ std::optional<MotionLaw> motion_law(const TrialSignals& s, const Span& span, dou
   }
   const double variance = least / static_cast<double>(span.size() - 5);
   const double lag = static_cast<double>(best) * step;
-  const bool sure = plain.squares - least > kSure * variance && std::abs(lag) > kClocks;
+  const bool sure = plain.squares - least > kSure * variance && std::abs(lag) > kClocks &&
+                    std::abs(best) < most &&
+                    std::abs(lag) > kSureLag * lag_error(s, span, inertia, step);
   return MotionLaw{plain.scale, plain.scale_error, sure ? lag : 0};
 }
 
@@ -300,10 +342,12 @@ std::size_t beyond(const std::vector<double>& x, double mark) {
   return i;
 }
 
-/// Force in motion less inertia, with its error [N].
+/// Means in motion, with their errors [N; m/s2].
 struct Moving {
-  double force, error;
-  double at_end;  ///< force of the last 0.2 s
+  double pull, pull_error;  ///< of the cable
+  double acceleration, acceleration_error;
+  double force, error;  ///< pull less inertia
+  double at_end;        ///< pull of the last 0.2 s
 };
 
 /// Mean acceleration is that between the middles of the first and the last 0.2 s.
@@ -319,8 +363,13 @@ Moving moving_force(const TrialSignals& s, const Span& moving, double inertia) {
       std::hypot(in.rate_error(in.middle), out.rate_error(out.middle)) / length;
   const PolynomialFit force =
       fit_polynomial(s.time, s.force, {index(in.middle), index(out.middle)}, 0);
-  return {force.c[0] - inertia * acceleration,
-          std::hypot(std::sqrt(force.covariance(0, 0)), inertia * acceleration_error),
+  const double force_error = std::sqrt(force.covariance(0, 0));
+  return {force.c[0],
+          force_error,
+          acceleration,
+          acceleration_error,
+          force.c[0] - inertia * acceleration,
+          std::hypot(force_error, inertia * acceleration_error),
           mean_of(s.force, last)};
 }
 
@@ -366,16 +415,51 @@ struct Ratio {
   double value, error;
 };
 
-/// Friction of the locked wheels from the force on the item over its weight.
-Ratio friction_of(const Ratio& pull, const TrialSetup& setup) {
-  if (setup.locked == LockedWheels::kAll) return pull;
-  const bool front = setup.locked == LockedWheels::kFront;
-  const double slope = (front ? 1 : -1) * setup.pull_height / setup.wheelbase;
-  const double share = (front ? setup.front_share : 1 - setup.front_share) + slope * pull.value;
-  const double rolling = setup.rolling_ratio;
-  const double friction = (pull.value - (1 - share) * rolling) / share;
-  return {friction, std::abs((1 - (friction - rolling) * slope) / share) * pull.error};
-}
+/// Friction of the locked wheels, a force on the item over its weight where all are.
+class LockedAxle {
+ public:
+  LockedAxle(const TrialSetup& setup, double inertia) : setup_(setup), inertia_(inertia) {}
+
+  Ratio friction(const Ratio& pull, const Ratio& acceleration) const {
+    return friction(pull, acceleration, setup_.center_height.value_or(setup_.pull_height));
+  }
+
+  /// The largest change of it by another height of the center of mass; 0 where that is stated.
+  double uncertainty(const Ratio& pull, const Ratio& acceleration) const {
+    if (setup_.center_height) return 0;
+    const double as_stated = friction(pull, acceleration).value;
+    double largest = 0;
+    for (const double height : {0.0, kHighestCenter})
+      largest = std::max(largest, std::abs(friction(pull, acceleration, height).value - as_stated));
+    return largest;
+  }
+
+ private:
+  /// @param acceleration  in g
+  Ratio friction(const Ratio& pull, const Ratio& acceleration, double center) const {
+    const double inertia = inertia_ / setup_.mass;  // over M
+    const double value = pull.value - inertia * acceleration.value;
+    if (setup_.locked == LockedWheels::kAll)
+      return {value, std::hypot(pull.error, inertia * acceleration.error)};
+    const bool front = setup_.locked == LockedWheels::kFront;
+    const double of_pull = (front ? 1 : -1) * setup_.pull_height / setup_.wheelbase;
+    const double of_acceleration = (front ? -1 : 1) * center / setup_.wheelbase;
+    const double share = (front ? setup_.front_share : 1 - setup_.front_share) +
+                         of_pull * pull.value + of_acceleration * acceleration.value;
+    const double rolling = setup_.rolling_ratio;
+    const double friction = (value - (1 - share) * rolling) / share;
+    const auto change = [&](double direct, double by_share) {
+      return (direct - (friction - rolling) * by_share) / share;
+    };
+    return {friction, std::hypot(change(1, of_pull) * pull.error,
+                                 change(-inertia, of_acceleration) * acceleration.error)};
+  }
+
+  const TrialSetup& setup_;
+  double inertia_;
+};
+
+constexpr double kLeastChange = 0.01;  // of mu_k
 
 double turning_mass(const Trial& trial) {
   if (trial.kind != TrialKind::kLockedPull) return trial.setup.added_mass;
@@ -424,10 +508,13 @@ Breakaway breakaway_of(const Trial& trial) {
       find_onset(s, onset_window(s, rest, mark), inertia, motion.force, motion.error, axle);
   if (!onset) refuse(trial, 0, "it does not stand still before it is pulled");
   const double string = setup.string_tension;
+  const LockedAxle locked_axle(setup, inertia);
   const Ratio peak =
-      friction_of({(onset->force - string) / normal, onset->force_error / normal}, setup);
-  const Ratio kinetic =
-      friction_of({(motion.force - string) / normal, motion.error / normal}, setup);
+      locked_axle.friction({(onset->force - string) / normal, onset->force_error / normal}, {0, 0});
+  const Ratio pull{(motion.pull - string) / normal, motion.pull_error / normal};
+  const Ratio acceleration{motion.acceleration / kStandardGravity,
+                           motion.acceleration_error / kStandardGravity};
+  const Ratio kinetic = locked_axle.friction(pull, acceleration);
   const double least = locked ? kLeastFriction : 0, most = locked ? kMaxFriction : kMaxRolling;
   for (const double value : {peak.value, kinetic.value})
     if (!(value > least && value < most))
@@ -436,7 +523,15 @@ Breakaway breakaway_of(const Trial& trial) {
                          "and < {}; are mass, force and units right, and is the kind?",
                          locked ? "friction" : "force over weight", peak.value, kinetic.value,
                          least, most));
-  return {peak.value, locked && !axle, kinetic.value, peak.error, kinetic.error, onset->time};
+  const double unknown = axle ? locked_axle.uncertainty(pull, acceleration) : 0;
+  std::string lost;
+  if (unknown > kLeastChange * kinetic.value)
+    lost = fmt::format(
+        "mu_k is excluded: it accelerates by {:.2g} m/s2, so that mu_k depends on the height of "
+        "the "
+        "center of mass, {:.2g} % for one of 0 to {:g} m: center_of_mass_height_mm states it",
+        motion.acceleration, 100 * unknown / kinetic.value, kHighestCenter);
+  return {peak.value, locked && !axle, kinetic.value, peak.error, kinetic.error, onset->time, lost};
 }
 
 }  // namespace gurney::calibration

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <string>
+
 #include "studies/calibration/trials/trial.h"
 
 /// Pulls that grow until something gives: start-up resistance, and friction of locked wheels.
 namespace gurney::calibration {
+
+/// Highest center of mass of an item on casters above the floor: an assumption; none of the catalogue
+/// is above 1 m [m].
+inline constexpr double kHighestCenter = 1.2;
 
 /// Breakaway of one trial.
 struct Breakaway {
@@ -11,7 +17,8 @@ struct Breakaway {
   bool peak_bounds = false;  ///< mu_s is `peak` or more
   double moving = 0;         ///< Cr / R, or mu_k
   double peak_error = 0, moving_error = 0;
-  double moved_at = 0;  ///< [s]
+  double moved_at = 0;      ///< [s]
+  std::string moving_lost;  ///< why mu_k is not determined; empty: it is
 };
 
 /// The force over N at which it begins to move is that of find_onset(); in motion it is F - F_s -
@@ -24,11 +31,13 @@ struct Breakaway {
 /// force is a lower bound.
 ///
 /// With one axle locked both its wheels carry the same. Equilibrium of moments about the other
-/// axle's line of contact gives its share s of N under the force x N at the height h,
+/// axle's line of contact gives its share s of N under the force F at the height h,
 ///
-///     s = s_0 + x h / L  (rear: -),      mu = (x - (1 - s) Cr / R) / s
+///     s = s_0 + (F h - M a h_cg) / (N L)  (rear: -),      mu = (x - (1 - s) Cr / R) / s
 ///
-/// with s_0 at rest, L the wheelbase and Cr / R of the wheels that roll.
+/// with x N the resistance, s_0 at rest, L the wheelbase, h_cg the height of the center of mass and
+/// Cr / R of the wheels that roll. Where h_cg is not stated it is taken as h, and mu_k is not
+/// determined where heights of 0 to kHighestCenter would change it by more than 1 %.
 /// @throws UnusableTrial where it does not move, no 0.4 s are left, the force falls below half of its
 ///         mean while it moves, the motion is not that of Newton's law within a factor of 3, or a
 ///         share is not one of friction or rolling

@@ -1,5 +1,7 @@
 #include "studies/calibration/fit/calibration.h"
 
+#include <fmt/format.h>
+
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/base/hash/sha256.h"
@@ -75,7 +77,10 @@ class Collector {
     const bool locked = trial.kind == TrialKind::kLockedPull;
     add_value(locked ? ConstantKind::kStaticFriction : ConstantKind::kStartUp, trial, found.peak,
               found.peak_error, found.peak_bounds);
-    if (locked) add_value(ConstantKind::kKineticFriction, trial, found.moving, found.moving_error);
+    if (!found.moving_lost.empty())
+      result_.without_kinetic.push_back({trial.file, 0, found.moving_lost});
+    else if (locked)
+      add_value(ConstantKind::kKineticFriction, trial, found.moving, found.moving_error);
   }
 
   void add_crosswise(const Trial& trial) {
@@ -91,7 +96,12 @@ std::string hash_of(const std::string& file) {
   return file.empty() || !is_there(file) ? "" : sha256(read_input_file(file));
 }
 
+/// @throws Error for the content of another file
 void note(Calibration& result, const ReadTrial& trial) {
+  for (const ReadTrial& other : result.trials)
+    require(trial.sha256.empty() || other.sha256 != trial.sha256 || other.file == trial.file,
+            fmt::format("{}: has the same content as {}; one trial must not count twice",
+                        trial.file, other.file));
   ++result.read;
   result.simulated += trial.setup.origin == TrialOrigin::kSimulated;
   result.trials.push_back(trial);

@@ -41,13 +41,15 @@ struct Calibration {
   std::vector<Prediction> predictions;
   std::vector<std::string> unpredicted;  ///< validation trials without a constant
   std::vector<TrialFault> left_out;
+  std::vector<TrialFault> without_kinetic;  ///< used, but not for mu_k
   std::vector<PhasedPull> pulls;
   int read = 0;       ///< trials in the files
   int simulated = 0;  ///< of them with `origin` simulated
 };
 
 /// Checks every trial, takes its values, and makes constants of all with `use` calibration.
-/// @throws Error where no trial for calibration can be used, with the reasons.
+/// @throws Error where no trial for calibration can be used, with the reasons; where two files have
+///         the same content, which would count twice
 Calibration calibrate(TrialSet trials, const std::string& source);
 
 }  // namespace gurney::calibration

@@ -15,6 +15,7 @@ namespace gurney::calibration {
 namespace {
 
 constexpr std::size_t kMaxErrors = 20;
+constexpr int kMostControls = 3;  // lines with control characters
 constexpr const char* kBlanks = " \t\r";
 
 TextCell trimmed(const std::string& line, std::size_t from, std::size_t to, int number) {
@@ -74,10 +75,13 @@ void read_row(std::vector<TextCell> cells, const std::string& line, int number, 
   text.rows.push_back(std::move(cells));
 }
 
-void note_control_character(std::string_view line, int number, CsvErrors& errors) {
+/// @returns whether there is one
+bool note_control_character(std::string_view line, int number, CsvErrors& errors) {
   if (line.ends_with('\r')) line.remove_suffix(1);
-  if (const auto at = find_control_character(line); at != line.npos)
+  const auto at = find_control_character(line);
+  if (at != line.npos)
     errors.note(number, static_cast<int>(at) + 1, "a control character; must be text");
+  return at != line.npos;
 }
 
 }  // namespace
@@ -100,13 +104,16 @@ CsvText read_csv_text(const std::string& file, CsvErrors& errors) {
   std::string all = read_input_file(file);
   if (all.starts_with("\xEF\xBB\xBF")) all.erase(0, 3);
   CsvText text{file, {}, {}, {}};
-  int number = 0;
+  int number = 0, controls = 0;
   for (std::size_t from = 0; from < all.size();) {
     const std::size_t to = std::min(all.find('\n', from), all.size());
     const std::string line = all.substr(from, to - from);
     from = to + 1;
     ++number;
-    note_control_character(line, number, errors);
+    if (note_control_character(line, number, errors)) {
+      if (++controls == kMostControls) errors.finish();  // it is no text file
+      continue;
+    }
     std::vector<TextCell> cells = cells_of(line, number);
     if (cells.empty()) continue;
     if (cells[0].text.starts_with('#')) {

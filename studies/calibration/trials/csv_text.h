@@ -47,7 +47,8 @@ class CsvErrors {
 /// order mark, empty cells at the ends of rows, cells in quotes. Notes rows that are longer or
 /// shorter than the header, lines with `#` that are no `# key = value`, and such lines below the
 /// header.
-/// @throws Error if the file is missing, cannot be read or has no table.
+/// @throws Error if the file is missing, cannot be read or has no table; after three lines with
+///         control characters, with what was noted so far
 CsvText read_csv_text(const std::string& file, CsvErrors& errors);
 
 }  // namespace gurney::calibration

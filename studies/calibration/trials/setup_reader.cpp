@@ -66,6 +66,8 @@ void read_locked(Facts& facts, TrialSetup& setup) {
   setup.wheelbase = facts.number("wheelbase_mm", Range::positive(), needed) / kMillimetersPerMeter;
   setup.front_share = facts.number("front_share", Range::within(0.05, 0.95), 0.5);
   setup.rolling_ratio = facts.number("rolling_ratio", Range::not_negative(), needed);
+  const double center = facts.number("center_of_mass_height_mm", Range::not_negative(), 0.0);
+  if (facts.has("center_of_mass_height_mm")) setup.center_height = center / kMillimetersPerMeter;
 }
 
 }  // namespace
@@ -189,15 +191,17 @@ TrialSetup read_setup(Facts& facts, TrialKind kind) {
   const double most = EquipmentModel::kMaxCasters;
   const double wheels = facts.number("wheels", Range::within(1, most), 4.0);
   if (wheels != std::floor(wheels))
-    facts.errors().note(facts.at("wheels"), "wheels: must be a whole number");
+    facts.errors().note(facts.at("wheels"), fmt::format("wheels = {}: must be a whole number",
+                                                        facts.at("wheels").text));
   setup.wheels = static_cast<int>(wheels);
   setup.wheel_radius = facts.number("wheel_diameter_mm", Range::positive(),
                                     rolls ? needed_number : std::optional(0.0)) /
                        kMillimetersPerMeter / 2;
+  const std::size_t before = facts.errors().count();
   setup.mass =
       facts.number("mass_kg", Range::positive(), impact ? std::optional(0.0) : needed_number);
   setup.payload = facts.number("payload_kg", Range::not_negative(), 0.0);
-  if (!impact && setup.payload >= setup.mass)
+  if (!impact && facts.errors().count() == before && setup.payload >= setup.mass)
     facts.errors().note(facts.at("payload_kg"),
                         "payload_kg: must be less than mass_kg, which holds it");
   setup.added_mass = read_added_mass(facts, setup, rolls);

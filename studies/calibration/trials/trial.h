@@ -44,10 +44,11 @@ struct TrialSetup {
   std::vector<double> pull_point;  ///< x, y, z in item axes; empty: not stated [m]
   LockedWheels locked = LockedWheels::kAll;
   // Only for pulls with one axle locked:
-  double pull_height = 0;    ///< h of the cable above the floor, >= 0 [m]
-  double wheelbase = 0;      ///< L between the axles, > 0 [m]
-  double front_share = 0.5;  ///< of the weight, on the front axle at rest, (0, 1)
-  double rolling_ratio = 0;  ///< Cr / R of the wheels that roll, >= 0
+  double pull_height = 0;               ///< h of the cable above the floor, >= 0 [m]
+  double wheelbase = 0;                 ///< L between the axles, > 0 [m]
+  double front_share = 0.5;             ///< of the weight, on the front axle at rest, (0, 1)
+  double rolling_ratio = 0;             ///< Cr / R of the wheels that roll, >= 0
+  std::optional<double> center_height;  ///< h_cg of M above the floor, >= 0 [m]
 };
 
 /// Samples; a series that was not measured is empty. A cell left empty is NaN.

@@ -130,9 +130,15 @@ void note_unknown_facts(const CsvText& text, std::vector<std::string> known, Csv
   for (const CsvFact& fact : text.facts) note_unknown(fact.key, "key", known, errors);
 }
 
-TrialAverages read_average(Facts& facts) {
+TrialAverages read_average(Facts& facts, const TrialSet& before) {
   TrialAverages average;
   average.name = facts.text("trial");
+  for (const TrialAverages& other : before.averages)
+    if (other.name == average.name && !average.name.empty())
+      facts.errors().note(facts.at("trial"),
+                          fmt::format("trial = \"{}\": line {} has it already; each row must be a "
+                                      "trial of its own",
+                                      average.name, other.line));
   average.setup = read_setup(facts, TrialKind::kPull);
   average.pull_force = facts.number("pull_force_n", Range::positive());
   average.pull_acceleration = facts.number("a2_mps2", Range::positive());
@@ -148,7 +154,7 @@ void read_averages(const CsvText& text, TrialSet& set, CsvErrors& errors) {
     for (const CsvFact& fact : text.facts) facts.add(fact.key.text, fact.value);
     for (std::size_t i = 0; i < row.size(); ++i) facts.add(text.header[i].text, row[i]);
     facts.text("schema");
-    set.averages.push_back(read_average(facts));
+    set.averages.push_back(read_average(facts, set));
     set.averages.back().file = text.file;
     set.averages.back().line = row[0].line;
     known = facts.asked();
@@ -211,7 +217,8 @@ std::string setup_text(const TrialSetup& setup) {
                     fmt::format("# pull_height_mm = {:.10g}\n", setup.pull_height / mm) +
                     key("wheelbase_mm", setup.wheelbase / mm) +
                     key("front_share", setup.front_share) +
-                    fmt::format("# rolling_ratio = {:.10g}\n", setup.rolling_ratio));
+                    fmt::format("# rolling_ratio = {:.10g}\n", setup.rolling_ratio) +
+                    key("center_of_mass_height_mm", setup.center_height.value_or(0) / mm));
 }
 
 struct WrittenColumn {

@@ -124,6 +124,7 @@ Json calibration() {
              {"inside", false}}}},
           {"validation_without_constant", Json::array()},
           {"left_out", {{{"file", kHostile}, {"line", 0}, {"reason", "units"}}}},
+          {"trials_without_kinetic_friction", Json::array()},
           {"caster_files",
            {{{"file", "x.toml"},
              {"calibrated", {"tread.rolling_resistance_mm"}},

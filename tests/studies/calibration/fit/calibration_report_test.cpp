@@ -115,6 +115,20 @@ TEST(Calibration, ReportsAllInTextAndJson) {
     EXPECT_THAT(figure, HasSubstr(part));
 }
 
+TEST(Calibration, RefusesOneTrialUnderTwoNames) {
+  const TempFolder folder;
+  const std::string text = trial_file_text(programme().trials.at(0));
+  folder.write("a.csv", text);
+  folder.write("b.csv", text);
+  try {
+    calibrate(read_trials(folder.path()), folder.path());
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("b.csv: has the same content as "),
+                                             HasSubstr("a.csv; one trial must not count twice")));
+  }
+}
+
 TEST(Calibration, MakesCasterFilesThatLoad) {
   const TempFolder folder;
   const Calibration c = calibrate(programme(), "made");

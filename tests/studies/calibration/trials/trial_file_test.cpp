@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/studies/calibration/trials/synthetic_trial.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -10,6 +12,7 @@ namespace gurney::calibration {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const char* const kFacts =
     "# schema = gurney-trial/1\n# kind = pull\n# use = validation\n# origin = measured\n"
@@ -88,6 +91,44 @@ TEST(TrialFile, ReportsEveryErrorWithItsPlace) {
   EXPECT_THAT(text, HasSubstr("bad.csv:11:1: no samples below"));
 }
 
+TEST(TrialFile, ComplainsOnceOfAMassThatIsNone) {
+  const TempFolder folder;
+  const std::string text = error_text([&] {
+    read_trial_file(
+        folder.write("bad.csv",
+                     "# schema = gurney-trial/1\n# kind = start_pull\n# use = calibration\n"
+                     "# origin = measured\n# caster = R100\n# floor = vinyl\n# mass_kg = -96.5\n"
+                     "# wheels = 3.5\ntime_s,force_n,displacement_mm\n0,1,2\n"));
+  });
+  EXPECT_THAT(text, HasSubstr("mass_kg = -96.5: must be"));
+  EXPECT_THAT(text, Not(HasSubstr("payload_kg")));
+  EXPECT_THAT(text, HasSubstr("wheels = 3.5: must be a whole number"));
+}
+
+TEST(TrialFile, StopsAtAFileThatIsNoText) {
+  const TempFolder folder;
+  std::string bytes;
+  for (int i = 0; i < 1000; ++i) bytes += std::string("a\x01,b\x02\n");
+  const std::string text = error_text([&] { read_trial_file(folder.write("a.csv", bytes)); });
+  EXPECT_EQ(std::ranges::count(text, '\n'), 2) << text;
+  EXPECT_THAT(text, HasSubstr("a.csv:3:2: a control character; must be text"));
+}
+
+TEST(TrialFile, RefusesTwoRowsOfOneName) {
+  const TempFolder folder;
+  const std::string row = "t01,R100,100,96.5,47.1,0.291,0.195\n";
+  const std::string text = error_text([&] {
+    read_trial_file(folder.write(
+        "t.csv",
+        "# schema = gurney-trial-averages/1\n# use = calibration\n# origin = measured\n"
+        "# floor = vinyl\n# wheel_inertia_kg_m2 = 0.0003\n"
+        "trial,caster,wheel_diameter_mm,mass_kg,pull_force_n,a2_mps2,a3_mps2\n" +
+            row + row));
+  });
+  EXPECT_THAT(text, HasSubstr("t.csv:8:1: trial = \"t01\": line 7 has it already; each row must be "
+                              "a trial of its own"));
+}
+
 TEST(TrialFile, KnowsWhichWheelsAreLocked) {
   const TempFolder folder;
   Trial made = make_pull({});
@@ -97,6 +138,7 @@ TEST(TrialFile, KnowsWhichWheelsAreLocked) {
   made.setup.wheelbase = 0.98;
   made.setup.front_share = 0.53;
   made.setup.rolling_ratio = 0.02;
+  made.setup.center_height = 0.61;
   const TrialSetup read =
       read_trial_file(folder.write("one.csv", trial_file_text(made, ""))).trials.at(0).setup;
   EXPECT_EQ(read.locked, LockedWheels::kFront);
@@ -104,6 +146,7 @@ TEST(TrialFile, KnowsWhichWheelsAreLocked) {
   EXPECT_DOUBLE_EQ(read.wheelbase, 0.98);
   EXPECT_EQ(read.front_share, 0.53);
   EXPECT_EQ(read.rolling_ratio, 0.02);
+  EXPECT_DOUBLE_EQ(read.center_height.value_or(0), 0.61);
   const std::string facts =
       "# schema = gurney-trial/1\n# kind = locked_pull\n# use = calibration\n"
       "# origin = measured\n# caster = R100\n# floor = vinyl\n# mass_kg = 96.5\n";
