@@ -342,18 +342,32 @@ PricedItem item_of(const StudyData& data, const CurveSequence& sequence,
   return items.front();
 }
 
-const Consequence& consequence_of(const ChosenCurve& curve, const PricedItem& item,
-                                  const Consequences& consequences) {
-  const std::vector<LimitState>& known = consequences.limit_states();
-  LimitState of_any = curve.state;
-  of_any.quantity.item.clear();
+/// Limit states as those of any item.
+std::vector<LimitState> of_any_item(std::vector<LimitState> states) {
+  for (LimitState& state : states) state.quantity.item.clear();
+  return states;
+}
+
+/// That of the same requirement, whatever its name.
+/// @throws Error where there is none
+const Consequence& consequence_of(const StudyData& data, const ChosenCurve& curve,
+                                  const PricedItem& item, const Consequences& consequences) {
+  const std::vector<LimitState> known = of_any_item(consequences.limit_states()),
+                                states = of_any_item(data.limit_states());
+  const std::size_t state = index_of(states, curve.state.name);
   for (std::size_t i = 0; i < known.size(); ++i)
     if (const Consequence* const of = consequences.of(item.equipment, i);
-        of != nullptr && (known[i].name == curve.state.name ||
-                          (known[i].is_simple() && same_state({of_any}, 0, known, i))))
+        of != nullptr && same_state(states, state, known, i))
       return *of;
   std::vector<std::string> names;
-  for (const LimitState& state : known) names.push_back(state.name);
+  for (const LimitState& each : known) {
+    names.push_back(each.name);
+    require(each.name != curve.state.name,
+            fmt::format("{}: '{}' is {} there, but {} in {}: no consequence is stated for the "
+                        "latter; give it a consequence of its own",
+                        consequences.path(), each.name, each.words, curve.state.words,
+                        data.file().path()));
+  }
   throw Error(fmt::format("{}: no consequence of '{}' ({}) for {}{}", consequences.path(),
                           curve.state.name, curve.state.words, item.equipment,
                           config::suggestion(curve.state.name, names)));
@@ -368,20 +382,36 @@ std::string consequence_header() {
 }
 
 /// Rows of consequence_repair.csv in the form of DLML: expected cost and time of each damage state.
+/// Damage states exclude each other in pelicun, but a run that reaches one has reached those before
+/// it, and costs what the worst of them does (item_loss()).
+/// @param notes  gets where one before it costs more
 std::string consequence_rows(const StudyData& data, const std::string& id,
-                             const CurveSequence& sequence, const Consequences& consequences) {
+                             const CurveSequence& sequence, const Consequences& consequences,
+                             std::string& notes) {
   const PricedItem item = item_of(data, sequence, consequences);
   std::vector<std::string> cost{csv_cell(id + "-Cost"), "0", "1 EA", consequences.currency()},
       time{csv_cell(id + "-Time"), "0", "1 EA", "day"};
+  double cost_before = 0, days_before = 0;
   for (const ChosenCurve& curve : sequence.curves) {
-    const Consequence& of = consequence_of(curve, item, consequences);
+    const Consequence& of = consequence_of(data, curve, item, consequences);
+    const auto at_least = [&](double& before, double value, const char* what) {
+      if (value < before)
+        notes +=
+            csv_line({csv_cell(id),
+                      csv_cell(fmt::format("{}: its {} is that of a milder state, {:g}, which is "
+                                           "more than its own, {:g}",
+                                           curve.state.name, what, before, value))});
+      before = std::max(before, value);
+    };
+    at_least(cost_before, mean_of(item.price) * mean_of(of.cost_ratio), "cost");
+    at_least(days_before, mean_of(of.days), "time");
     const auto add = [](std::vector<std::string>& cells, double value) {
       for (const std::string& cell :
            {std::string(), csv_cell(value), std::string(), std::string("0")})
         cells.push_back(cell);
     };
-    add(cost, mean_of(item.price) * mean_of(of.cost_ratio));
-    add(time, mean_of(of.days));
+    add(cost, cost_before);
+    add(time, days_before);
   }
   for (std::vector<std::string>* const cells : {&cost, &time}) cells->resize(4 + 4 * kLimitStates);
   return csv_line(cost) + csv_line(time);
@@ -413,7 +443,8 @@ class Library {
                         "--separate, or choose one with --limit",
                         data_.file().path(), id, sequence.curves.size(), kLimitStates));
     table_ += row(id, outside_, sequence);
-    if (consequences_ != nullptr) repair_ += consequence_rows(data_, id, sequence, *consequences_);
+    if (consequences_ != nullptr)
+      repair_ += consequence_rows(data_, id, sequence, *consequences_, notes_);
     for (const ChosenCurve& curve : sequence.curves)
       for (const std::string& caution : cautions(curve.audit, {outside_.unit, outside_.unit_in_si}))
         notes_ += csv_line({csv_cell(id), csv_cell(curve.state.name + ": " + caution)});

@@ -166,5 +166,30 @@ grep -q -- '-Time,0,1 EA,day,,1,,0,' pelicun/consequence_repair.csv || complain 
 expect 1 "no consequence of 'far'" "$gurney" export whole.h5 --to pelicun --consequences consequences.toml \
   --limit-state "far = peak_displacement > 6 cm" -o far
 [ ! -e far ] || complain "half written"
+# A name that stands for another condition there has no consequence; a stricter state costs no less.
+expect 1 "'moved' is peak_displacement > 5 cm there, but peak_displacement > 0.06 m in" "$gurney" export whole.h5 \
+  --to pelicun --consequences consequences.toml --limit-state "moved = peak_displacement > 0.06 m" -o far
+[ ! -e far ] || complain "half written"
+cp consequences.toml further.toml
+cat >> further.toml << TOML
+[[limit_state]]
+name = "further"
+demand = "peak_displacement"
+above = 6
+unit = "cm"
+[[consequence]]
+limit_state = "further"
+cost_ratio = 0.05
+days = 0.5
+injury = "none"
+service = "lost"
+TOML
+expect 0 "consequence_repair.csv" "$gurney" export whole.h5 --to pelicun --consequences further.toml \
+  --limit-state "moved = peak_displacement > 5 cm" --limit-state "further = peak_displacement > 6 cm" \
+  --configuration "infusion_pole open, ground, off" -o further
+grep -q -- '-Cost,0,1 EA,EUR,,100,,0,,100,,0,' further/consequence_repair.csv || complain "a stricter state costs less"
+grep -q -- '-Time,0,1 EA,day,,1,,0,,1,,0,' further/consequence_repair.csv || complain "a stricter state takes less time"
+grep -q 'further: its cost is that of a milder state, 100, which is more than its own, 50' \
+  further/fragility_cautions.csv || complain "no note of the milder state"
 
 exit $((failures > 0))
