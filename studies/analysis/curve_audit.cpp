@@ -59,6 +59,10 @@ std::string few_records_text(const CurveAudit& audit) {
                      audit.fewest, audit.effective, audit.records);
 }
 
+std::string no_rate_text(const std::string& hazard_over) {
+  return fmt::format("no annual rate: the hazard of the job is over {}", hazard_over);
+}
+
 std::string interval_text(const statistics::Interval& interval, double in_si, int digits,
                           std::size_t records) {
   const bool low = interval.low > 0, high = std::isfinite(interval.high);
@@ -86,6 +90,18 @@ std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& uni
         "any_of counts both",
         audit.overturned_short, audit.overturned_short == 1 ? "run" : "runs",
         audit.overturned_short == 1 ? "does" : "do"));
+  if (audit.of_capacities &&
+      static_cast<double>(audit.ended) > kManyEnded * static_cast<double>(audit.outcomes))
+    all.push_back(fmt::format(
+        "{} of {} {} do not exceed and end where another limit state ended the IDA; such ends are "
+        "not independent of the capacity, so theta and beta are biased: prefer an IDA that ends "
+        "with this state, or multiple stripes",
+        audit.ended, audit.outcomes, audit.counted));
+  if (audit.chosen_by_response)
+    all.push_back(
+        "the runs of an IDA are chosen by their response, so a curve of their outcomes, as this "
+        "one, is biased: prefer one measure that is scaled with the record, or multiple stripes");
+  if (!audit.hazard_over.empty()) all.push_back(no_rate_text(audit.hazard_over));
   // Small factors are those of weak stripes: nothing is claimed beyond what was recorded.
   if (audit.factors.any() && audit.factors.above() > 0)
     all.push_back("scale factors " + audit.factors.text());

@@ -16,6 +16,11 @@ namespace gurney::study {
 /// Epidemiology 49(12), 1373-1379).
 inline constexpr std::size_t kFewOutcomes = 10;
 
+/// Analysis cases of an IDA that another limit state ended before they exceed one are censored by
+/// their response, not at random. At this share of the cases theta is too high by up to 0.15 beta
+/// and beta by 7 %, about what 40 records leave uncertain (docs/theory/statistics.md).
+inline constexpr double kManyEnded = 0.2;
+
 /// Facts of the runs behind a fragility curve that its user has to know.
 struct CurveAudit {
   std::optional<double> theta;             ///< none: there is no curve
@@ -25,6 +30,9 @@ struct CurveAudit {
   const char* counted = "runs";            ///< of capacities: records or analysis cases
   std::size_t outcomes = 0, exceeded = 0;  ///< of these
   std::size_t overturned = 0;              ///< runs of an IDA
+  std::size_t ended = 0;                   ///< of capacities: cases that another state ended before
+  std::string hazard_over;                 ///< the measure of the job's hazard, where it is another
+  bool chosen_by_response = false;         ///< outcomes of an IDA, which are not capacities
   std::size_t overturned_short = 0;        ///< runs that overturned short of a limit of length
   std::size_t records = 0;
   double effective = 0, fewest = 0;  ///< records, and how many an interval needs; 0: no curve
@@ -47,6 +55,9 @@ std::string few_records_text(const CurveAudit& audit);
 CurveAudit outcome_audit(const statistics::FragilityFit& fit,
                          const std::vector<statistics::Observation>& observations,
                          const ScaleFactors& factors);
+
+/// `no annual rate: the hazard of the job is over PGA geomean`
+std::string no_rate_text(const std::string& hazard_over);
 
 /// `0.22 to 1.1`; `0.22 to unbounded`; `unbounded (5 records)` where neither end is bounded.
 std::string interval_text(const statistics::Interval& interval, double in_si, int digits,

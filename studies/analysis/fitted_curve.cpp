@@ -1,16 +1,16 @@
 #include "studies/analysis/fitted_curve.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
 
 #include "engine/response/response.h"
 #include "studies/statistics/capacity.h"
 
 namespace gurney::study {
 namespace {
-
-bool has_capacities(const StudyData& data, std::size_t state, const std::string& measure) {
-  return data.ends_ida(state) && measure == data.file().text_attribute("intensity_measure");
-}
 
 std::size_t overturned(const StudyData& data, std::size_t configuration) {
   const std::vector<std::string> outcomes = data.file().strings("runs/outcome");
@@ -19,21 +19,9 @@ std::size_t overturned(const StudyData& data, std::size_t configuration) {
       [&](std::size_t run) { return outcomes[run] == name_of(Outcome::kOverturned); }));
 }
 
-CurveAudit audit_of(const StudyData& data, std::size_t state, std::size_t configuration,
-                    const FittedCurve& fitted) {
-  CurveAudit audit =
-      outcome_audit(fitted.fit, fitted.observations, scale_factors(data, configuration));
-  // A cloud takes them as at least at the limit.
-  if (!fitted.by_cloud()) audit.overturned_short = data.overturned_short_of(state, configuration);
-  audit.theta = {};
-  if (fitted.by_cloud()) {
-    audit.of_demands = true;
-    if (fitted.cloud_curve) audit.theta = fitted.cloud_curve->theta;
-    audit.effective = statistics::effective_groups(fitted.demands);
-    return audit;
-  }
-  if (fitted.fit.curve) audit.theta = fitted.fit.curve->theta;
-  if (!fitted.capacities) return audit;
+/// Facts of the brackets instead of those of the runs.
+void audit_capacities(const StudyData& data, std::size_t configuration, FittedCurve& fitted) {
+  CurveAudit& audit = fitted.audit;
   audit.theta = {};
   if (fitted.capacities->curve) audit.theta = fitted.capacities->curve->theta;
   audit.of_capacities = true;
@@ -42,10 +30,22 @@ CurveAudit audit_of(const StudyData& data, std::size_t state, std::size_t config
   audit.outcomes = fitted.brackets.size();
   audit.exceeded = audit.outcomes - static_cast<std::size_t>(fitted.capacities->censored);
   audit.overturned = overturned(data, configuration);
+  const std::set<std::size_t> ended = data.ended_cases(configuration);
+  audit.ended = static_cast<std::size_t>(
+      std::ranges::count_if(fitted.brackets, [&](const statistics::Capacity& each) {
+        return std::isinf(each.high) && ended.contains(each.analysis_case);
+      }));
   audit.fewest = statistics::kFewestCapacities;
-  if (audit.theta)
-    audit.effective = statistics::effective_capacities(fitted.brackets, *fitted.capacities);
-  return audit;
+  audit.effective =
+      audit.theta ? statistics::effective_capacities(fitted.brackets, *fitted.capacities) : 0;
+}
+
+void audit_cloud(FittedCurve& fitted) {
+  CurveAudit& audit = fitted.audit;
+  audit.of_demands = true;
+  audit.theta = {};
+  if (fitted.cloud_curve) audit.theta = fitted.cloud_curve->theta;
+  audit.effective = statistics::effective_groups(fitted.demands);
 }
 
 void add_cloud(const StudyData& data, std::size_t state_index, std::size_t configuration,
@@ -75,17 +75,58 @@ std::string no_curve_text(const FittedCurve& fitted, const ReportUnit& unit) {
 
 FittedCurve fitted_curve(const StudyData& data, std::size_t state, std::size_t configuration,
                          const RunMeasure& measure, CurveMethod method) {
+  const std::vector<statistics::Observation> observations =
+      data.observations(state, configuration, measure);
   FittedCurve fitted;
-  fitted.method = method;
-  fitted.observations = data.observations(state, configuration, measure);
-  fitted.fit = statistics::fit_fragility(fitted.observations);
-  if (has_capacities(data, state, measure.name)) {
-    fitted.brackets = statistics::ida_capacities(fitted.observations);
-    fitted.capacities = statistics::fit_capacities(fitted.brackets);
+  if (method == CurveMethod::kOwn) {
+    fitted = curve_of_event(data, configuration, measure, observations);
+    fitted.audit.overturned_short = data.overturned_short_of(state, configuration);
+  } else {  // a cloud takes them as at least at the limit
+    fitted.method = method;
+    fitted.observations = observations;
+    fitted.fit = statistics::fit_fragility(observations);
+    fitted.audit = outcome_audit(fitted.fit, observations, scale_factors(data, configuration));
   }
   add_cloud(data, state, configuration, measure, fitted);
-  fitted.audit = audit_of(data, state, configuration, fitted);
+  if (fitted.by_cloud()) audit_cloud(fitted);
   return fitted;
+}
+
+FittedCurve curve_of_event(const StudyData& data, std::size_t configuration,
+                           const RunMeasure& measure,
+                           std::vector<statistics::Observation> observations) {
+  FittedCurve fitted;
+  fitted.observations = std::move(observations);
+  fitted.fit = statistics::fit_fragility(fitted.observations);
+  fitted.audit = outcome_audit(fitted.fit, fitted.observations, scale_factors(data, configuration));
+  if (data.traces(configuration, measure)) {
+    fitted.brackets = statistics::ida_capacities(fitted.observations);
+    fitted.capacities = statistics::fit_capacities(fitted.brackets);
+    audit_capacities(data, configuration, fitted);
+  } else {
+    fitted.audit.chosen_by_response = data.is_ida();
+  }
+  return fitted;
+}
+
+statistics::FragilityBand band_of_curve(const FittedCurve& fitted, const std::vector<double>& im,
+                                        double confidence) {
+  if (!fitted.capacities || !fitted.capacities->curve)
+    return statistics::fragility_band(statistics::StripeTable(fitted.observations), im, confidence);
+  statistics::FragilityBand band;
+  band.status = fitted.capacities->status;
+  band.effective = fitted.audit.effective;
+  band.too_few = has_few_records(fitted.audit);
+  band.theta = band.beta = {0, std::numeric_limits<double>::infinity()};
+  if (band.too_few) return band;
+  const double beta = fitted.capacities->curve->beta;
+  statistics::CapacityIntervals intervals =
+      statistics::capacity_intervals(fitted.brackets, *fitted.capacities, im, confidence);
+  band.of_curve = std::move(intervals.of_curve);
+  band.theta = statistics::bounded(intervals.theta, fitted.audit.lowest, fitted.audit.highest);
+  band.beta = statistics::bounded(intervals.beta, beta, beta);
+  band.outline = std::move(intervals.outline);
+  return band;
 }
 
 }  // namespace gurney::study

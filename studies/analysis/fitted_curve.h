@@ -19,7 +19,7 @@ inline constexpr double kFloorOfLimit = 1e-3;
 
 /// Data that a curve is fitted to.
 enum class CurveMethod {
-  kOwn,    ///< capacities after an IDA that the state ended, else outcomes
+  kOwn,    ///< capacities after an IDA, else outcomes
   kCloud,  ///< the demands, by regression on the intensities
 };
 
@@ -55,9 +55,21 @@ struct FittedCurve {
 /// Why there is no curve, and what is known of the median.
 std::string no_curve_text(const FittedCurve& fitted, const ReportUnit& unit);
 
-/// An IDA gives capacities for the limit state that ends it, over its own measure; for all others
-/// its runs are outcomes like those of stripes.
+/// An IDA gives capacities for every limit state, over every measure that is scaled with the record:
+/// it chooses the runs of a record by the response, so that their outcomes are not those of stripes.
 FittedCurve fitted_curve(const StudyData& data, std::size_t state, std::size_t configuration,
                          const RunMeasure& measure, CurveMethod method = CurveMethod::kOwn);
+
+/// The curve of an event that somebody else has judged: of outcomes, or of capacities after an IDA.
+/// @param observations  of runs of the configuration, with their analysis cases
+FittedCurve curve_of_event(const StudyData& data, std::size_t configuration,
+                           const RunMeasure& measure,
+                           std::vector<statistics::Observation> observations);
+
+/// Confidence band of the curve in use, unless it is a cloud; see fragility_band() and
+/// capacity_intervals(). That of an IDA without a curve is that of its outcomes, which supposes no
+/// model.
+statistics::FragilityBand band_of_curve(const FittedCurve& fitted, const std::vector<double>& im,
+                                        double confidence);
 
 }  // namespace gurney::study

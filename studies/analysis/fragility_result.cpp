@@ -46,25 +46,8 @@ void judge_stripes(const statistics::StripeTable& table, const FragilityRequest&
     result.p_of_fit = check->p_simulated;
 }
 
-/// The band of an IDA without a curve stays that of its outcomes, which supposes no model.
-void judge_capacities(const FragilityRequest& request, std::uint64_t seed,
-                      FragilityResult& result) {
+void judge_capacities(std::uint64_t seed, FragilityResult& result) {
   if (!result.capacities->curve) return;
-  result.band = {};
-  result.band.status = result.capacities->status;
-  result.band.effective = result.audit.effective;
-  result.band.too_few = has_few_records(result.audit);
-  result.band.theta = result.band.beta = {0, std::numeric_limits<double>::infinity()};
-  if (!result.band.too_few) {
-    const double beta = result.capacities->curve->beta;
-    statistics::CapacityIntervals intervals = statistics::capacity_intervals(
-        result.brackets, *result.capacities, result.im, request.confidence);
-    result.band.of_curve = intervals.of_curve;
-    result.band.theta =
-        statistics::bounded(intervals.theta, result.audit.lowest, result.audit.highest);
-    result.band.beta = statistics::bounded(intervals.beta, beta, beta);
-    result.band.outline = std::move(intervals.outline);
-  }
   result.fit_is_judged = result.brackets.size() == result.records;
   if (result.fit_is_judged)
     result.p_of_fit = statistics::p_of_lognormal(result.brackets, *result.capacities, 499, seed);
@@ -188,7 +171,7 @@ FragilityResult judged(const StudyData& data, const FragilityRequest& request,
   result.records = result.fit.groups;
   const statistics::StripeTable table(result.observations);
   result.im = grid(table.stripes());
-  result.band = statistics::fragility_band(table, result.im, request.confidence);
+  result.band = band_of_curve(result, result.im, request.confidence);
   if (table.stripes().size() <= kMaxStripes) {
     result.stripes = table.stripes();
     result.isotonic = statistics::isotonic_curve(result.stripes);
@@ -196,10 +179,11 @@ FragilityResult judged(const StudyData& data, const FragilityRequest& request,
   if (result.by_cloud())
     judge_cloud(limit, request, result);
   else if (result.capacities)
-    judge_capacities(request, data.study().seed, result);
+    judge_capacities(data.study().seed, result);
   else
     judge_stripes(table, request, data.study().seed, result);
   const statistics::HazardCurve* const hazard = data.hazard_over(measure);
+  result.audit.hazard_over = data.other_hazard(measure);
   if (hazard != nullptr && result.curve())
     result.rate = site_rate(*result.curve(), result.band, result.audit, *hazard);
   return result;
@@ -224,12 +208,10 @@ FragilityResult fragility_of_outcomes(const StudyData& data,
                                       const std::map<std::size_t, bool>& exceeded,
                                       const FragilityRequest& request) {
   const RunMeasure measure = data.measure(request.measure);
-  FittedCurve fitted;
-  fitted.observations = data.observations(exceeded, request.configuration, measure);
-  fitted.fit = statistics::fit_fragility(fitted.observations);
-  fitted.audit =
-      outcome_audit(fitted.fit, fitted.observations, scale_factors(data, request.configuration));
-  return judged(data, request, measure, std::move(fitted), 0);
+  return judged(data, request, measure,
+                curve_of_event(data, request.configuration, measure,
+                               data.observations(exceeded, request.configuration, measure)),
+                0);
 }
 
 std::vector<FragilityResult> fragilities_of(const StudyData& data) {
@@ -304,6 +286,7 @@ VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t con
   result.audit.effective = statistics::effective_groups(points);
   result.audit.fewest = statistics::kFewestGroups;
   result.audit.factors = scale_factors(data, configuration);
+  result.audit.chosen_by_response = data.is_ida();
   for (const std::size_t i : {0, 1}) result.alone[i] = statistics::fit_fragility(alone[i]);
   return result;
 }

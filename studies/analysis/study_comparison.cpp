@@ -278,8 +278,6 @@ class Comparer {
     result_.pairs = pair_runs(a, b);
     runs_a_ = runs_in(result_.pairs.common_a);
     runs_b_ = runs_in(result_.pairs.common_b);
-    factors_a_ = scale_factors(*a.data, a.configuration);
-    factors_b_ = scale_factors(*b.data, b.configuration);
   }
 
   StudyComparison compare() {
@@ -309,7 +307,6 @@ class Comparer {
   StudyComparison result_;
   std::vector<std::size_t> runs_a_, runs_b_;
   RunMeasure im_a_, im_b_;
-  ScaleFactors factors_a_, factors_b_;
 };
 
 bool Comparer::add(ComparedQuantity::Kind kind, const std::string& name, const std::string& units,
@@ -384,32 +381,37 @@ void Comparer::choose_measure() {
 }
 
 void Comparer::add_curves(std::size_t state, const RunValues& of_a, const RunValues& of_b) {
-  const auto observed = [](const auto& common, const RunValues& exceeds,
-                           const std::vector<double>& im) {
+  const auto observed = [](const ConfigurationView& side, const auto& common,
+                           const RunValues& exceeds, const std::vector<double>& im) {
+    const std::vector<double> cases = side.data->file().numbers("runs/analysis_case");
     std::vector<statistics::Observation> seen;
     for (const auto& [run, group] : common)
-      if (im[run] > 0) seen.push_back({im[run], exceeds.at(run) > 0, group});
+      if (im[run] > 0)
+        seen.push_back({im[run], exceeds.at(run) > 0, group, static_cast<std::size_t>(cases[run])});
     return seen;
   };
   ComparedCurves row;
   row.state = state;
   row.name = a_.data->limit_states()[state].name;
-  row.of_a = observed(result_.pairs.common_a, of_a, im_a_.values);
-  row.of_b = observed(result_.pairs.common_b, of_b, im_b_.values);
-  if (row.of_a.empty() || row.of_b.empty()) return;
-  const double first = row.of_a.front().im;
+  const std::vector<statistics::Observation> seen_a = observed(a_, result_.pairs.common_a, of_a,
+                                                               im_a_.values),
+                                             seen_b = observed(b_, result_.pairs.common_b, of_b,
+                                                               im_b_.values);
+  if (seen_a.empty() || seen_b.empty()) return;
+  const double first = seen_a.front().im;
   const auto is_first = [&](const statistics::Observation& each) { return each.im == first; };
-  if (std::ranges::all_of(row.of_a, is_first) && std::ranges::all_of(row.of_b, is_first)) return;
-  row.a = statistics::fit_fragility(row.of_a);
-  row.b = statistics::fit_fragility(row.of_b);
-  row.audit_a = outcome_audit(row.a, row.of_a, factors_a_);
-  row.audit_b = outcome_audit(row.b, row.of_b, factors_b_);
-  const bool equal = row.a.exceeded + row.b.exceeded == 0 ||
-                     row.a.exceeded + row.b.exceeded == row.a.runs + row.b.runs;
+  if (std::ranges::all_of(seen_a, is_first) && std::ranges::all_of(seen_b, is_first)) return;
+  row.a = curve_of_event(*a_.data, a_.configuration, im_a_, seen_a);
+  row.b = curve_of_event(*b_.data, b_.configuration, im_b_, seen_b);
+  const std::size_t exceeded = row.a.fit.exceeded + row.b.fit.exceeded;
+  const bool alike = row.a.capacities.has_value() == row.b.capacities.has_value();
   row.p = kNan;
-  if (!equal) {
+  if (alike && exceeded > 0 && exceeded < row.a.fit.runs + row.b.fit.runs) {
     const statistics::FragilityComparison seen =
-        statistics::compare_fragilities(row.of_a, row.of_b, options_.resamples, options_.seed);
+        row.a.capacities
+            ? statistics::compare_capacities(row.a.brackets, row.b.brackets, options_.resamples,
+                                             options_.seed)
+            : statistics::compare_fragilities(seen_a, seen_b, options_.resamples, options_.seed);
     row.likelihood_ratio = seen.likelihood_ratio;
     if (!nothing_random()) row.p = seen.p_permutation.value_or(kNan);
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/analysis/configuration_view.h"
-#include "studies/analysis/curve_audit.h"
+#include "studies/analysis/fitted_curve.h"
 #include "studies/statistics/bands.h"
 #include "studies/statistics/fragility.h"
 
@@ -85,13 +85,12 @@ struct ComparedQuantity {
   double p_holm = 1;
 };
 
-/// The fragility curves of two configurations.
+/// The fragility curves of two configurations. Outcomes and capacities (IDA) are not tested against
+/// each other.
 struct ComparedCurves {
   std::size_t state = 0;  ///< index in the limit states of A
   std::string name;
-  statistics::FragilityFit a, b;
-  std::vector<statistics::Observation> of_a, of_b;
-  CurveAudit audit_a, audit_b;
+  FittedCurve a, b;  ///< of the runs of records in common
   double likelihood_ratio = 0;
   double p = 1;  ///< from swapped groups; NaN as above
   double p_holm = 1;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "engine/base/error.h"
 #include "engine/config/document.h"
@@ -58,6 +59,16 @@ std::vector<bool> named_records(const StudyReader& file, const std::vector<std::
     named.push_back(std::ranges::find(wanted, name) != wanted.end());
   return named;
 }
+
+/// Whether the file has the columns that a limit state asks for.
+bool has_all(const StudyReader& file, const std::vector<LimitState>& states, std::size_t state) {
+  const LimitState& of = states.at(state);
+  if (of.is_simple()) return file.has_column(table_of(of.quantity.of) + "/" + of.quantity.column);
+  return std::ranges::all_of(of.parts,
+                             [&](std::size_t part) { return has_all(file, states, part); });
+}
+
+constexpr double kRounding = 1e-9;  // of a measure, relative
 
 bool is_number(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
@@ -157,10 +168,28 @@ RunMeasure StudyData::measure(const std::string& name) const {
   return measure;
 }
 
-bool StudyData::ends_ida(std::size_t state) const {
+bool StudyData::traces(std::size_t configuration, const RunMeasure& measure) const {
+  if (!is_ida()) return false;
+  const std::vector<double> own = file_->numbers("runs/intensity"),
+                            cases = file_->numbers("runs/analysis_case");
+  std::map<double, std::map<double, double>> of_case;  // measure by the study's own
+  for (const std::size_t run : runs_.at(configuration))
+    if (measure.values[run] > 0) of_case[cases[run]][own[run]] = measure.values[run];
+  for (const auto& [number, values] : of_case)
+    for (auto next = std::next(values.begin()); next != values.end(); ++next)
+      if (!(next->second > std::prev(next)->second * (1 + kRounding))) return false;
+  return true;
+}
+
+std::set<std::size_t> StudyData::ended_cases(std::size_t configuration) const {
   const IntensityPlan& plan = study_.intensity;
-  return plan.kind == IntensityPlan::Kind::kIda &&
-         same_state(limit_states(), state, study_.limit_states, plan.until);
+  const std::vector<double> cases = file_->numbers("runs/analysis_case");
+  const bool known = has_all(*file_, study_.limit_states, plan.until);
+  std::set<std::size_t> ended;
+  for (const std::size_t run : runs_.at(configuration))
+    if (!known || exceeded(study_.limit_states, plan.until, values_.of_run(run)))
+      ended.insert(static_cast<std::size_t>(cases[run]));
+  return ended;
 }
 
 const statistics::HazardCurve* StudyData::hazard_over(const RunMeasure& measure) const {
@@ -173,6 +202,11 @@ const statistics::HazardCurve* StudyData::hazard_over(const RunMeasure& measure)
                       hazard.where, hazard.measure, measure.name, file_->path(),
                       fmt::join(measures(), ", ")));
   return nullptr;
+}
+
+std::string StudyData::other_hazard(const RunMeasure& measure) const {
+  const auto& hazard = assessment_.hazard;
+  return hazard && hazard->measure != measure.name ? hazard->measure : "";
 }
 
 std::vector<bool> StudyData::exceedances(std::size_t state,

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,12 +66,24 @@ class StudyData {
   const std::vector<LimitState>& limit_states() const { return assessment_.limit_states; }
   const std::vector<std::size_t>& performance() const { return assessment_.performance; }
 
-  /// Whether the study is an IDA that this state ended.
-  bool ends_ida(std::size_t state) const;
+  /// Whether the study is an IDA: it chose the intensities of a record by its response.
+  bool is_ida() const { return study_.intensity.kind == IntensityPlan::Kind::kIda; }
+
+  /// Whether the study is an IDA that gives capacities in the measure: in every analysis case of the
+  /// configuration it grows with the study's own, as all do that are scaled with the record. A
+  /// duration is not.
+  bool traces(std::size_t configuration, const RunMeasure& measure) const;
+
+  /// Analysis cases of an IDA that exceed the limit state that ends it, so that it made no runs
+  /// above. All cases where the file does not have what the state asks for.
+  std::set<std::size_t> ended_cases(std::size_t configuration) const;
 
   /// The hazard over a measure; none where there is none, or where the job's is over another.
   /// @throws Error where a file states it over another
   const statistics::HazardCurve* hazard_over(const RunMeasure& measure) const;
+
+  /// The measure of a hazard over another one, from which no rate follows; empty: there is none.
+  std::string other_hazard(const RunMeasure& measure) const;
 
   const std::vector<std::string>& configurations() const { return configurations_; }
 

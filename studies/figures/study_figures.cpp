@@ -65,24 +65,25 @@ double place_of(const statistics::Capacity& capacity) {
 }
 
 /// Steps of the empirical distribution; records that never exceed count, but have no step.
-Curve capacities_of(const study::FragilityResult& result, double unit, std::size_t color) {
+Curve capacities_of(const study::FittedCurve& fitted, const std::vector<double>& im, double unit,
+                    std::size_t color) {
   std::vector<std::pair<double, double>> places;  // and their weights
   double n = 0;
-  for (const statistics::Capacity& each : result.brackets) {
+  for (const statistics::Capacity& each : fitted.brackets) {
     if (std::isfinite(each.high)) places.emplace_back(place_of(each), each.weight);
     n += each.weight;
   }
   std::ranges::sort(places);
   Curve steps{"", {}, {}, pen(color, 1)};
   const auto add = [&](double im, double count) { steps.add(im / unit, count / n); };
-  add(result.im.front(), 0);
+  add(im.front(), 0);
   double below = 0;
   for (const auto& [place, weight] : places) {
     add(place, below);
     below += weight;
     add(place, below);
   }
-  add(result.im.back(), below);
+  add(im.back(), below);
   return steps;
 }
 
@@ -112,25 +113,27 @@ Panel state_panel(const std::vector<const study::FragilityResult*>& results,
   }
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i]->by_capacities())
-      panel.curves.push_back(capacities_of(*results[i], unit.in_si, i));
+      panel.curves.push_back(capacities_of(*results[i], results[i]->im, unit.in_si, i));
   panel.x_range = {std::log10(im.low / unit.in_si), std::log10(im.high / unit.in_si)};
   return panel;
 }
 
-/// Curve, band and fractions of one side of a comparison.
+/// Curve, band and fractions, or capacities, of one side of a comparison.
 void add_side(Panel& panel, const std::string& name, std::size_t side,
-              const std::vector<statistics::Observation>& seen, const statistics::FragilityFit& fit,
-              const Range& extent, double confidence, double unit) {
+              const study::FittedCurve& fitted, const Range& extent, double confidence,
+              double unit) {
   constexpr int kPoints = 60;
   std::vector<double> im;
   for (int i = 0; i < kPoints; ++i)
     im.push_back(extent.low * std::pow(extent.high / extent.low, i / (kPoints - 1.0)));
-  const statistics::StripeTable table(seen);
-  const statistics::FragilityBand band = statistics::fragility_band(table, im, confidence);
-  add_curve(panel, name, im, fit.curve, unit, side);
-  panel.curves.back().key = marker(side);
-  if (fit.curve && !band.too_few) add_band(panel, im, band, unit, side);
-  add_fractions(panel, table.stripes(), 2, unit, side);
+  const statistics::FragilityBand band = study::band_of_curve(fitted, im, confidence);
+  add_curve(panel, name, im, fitted.curve(), unit, side);
+  if (!fitted.capacities) panel.curves.back().key = marker(side);
+  if (fitted.curve() && !band.too_few) add_band(panel, im, band, unit, side);
+  if (fitted.capacities)
+    panel.curves.push_back(capacities_of(fitted, im, unit, side));
+  else
+    add_fractions(panel, statistics::StripeTable(fitted.observations).stripes(), 2, unit, side);
 }
 
 /// Runs in the plane of two measures, both in logarithms.
@@ -326,18 +329,21 @@ std::string comparison_figure(const report::ComparisonReport& report) {
       study::report_unit(*report.a.data, {report.found.measure, report.found.units, {}});
   Chart chart{
       report.name_a + " against " + report.name_b,
-      fmt::format("line: fitted curve; area: {:g} % confidence band; marks: fractions of runs",
-                  100 * report.confidence)};
+      fmt::format(
+          "line: fitted curve; area: {:g} % confidence band; marks: fractions of runs; steps: "
+          "capacities of an IDA",
+          100 * report.confidence)};
   for (const study::ComparedCurves& each : report.found.curves) {
-    if (each.a.exceeded + each.b.exceeded == 0) continue;
+    if (each.a.fit.exceeded + each.b.fit.exceeded == 0) continue;
     Panel panel = panel_of(each.name, {report.found.measure, report.found.units, {}}, unit);
-    Range extent{each.of_a.front().im, each.of_a.front().im};
-    for (const auto* observations : {&each.of_a, &each.of_b})
-      for (const statistics::Observation& seen : *observations)
+    const double first = each.a.observations.front().im;
+    Range extent{first, first};
+    for (const study::FittedCurve* side : {&each.a, &each.b})
+      for (const statistics::Observation& seen : side->observations)
         extent = widened(extent, {seen.im / 1.2, seen.im * 1.2});
     panel.x_range = {std::log10(extent.low / unit.in_si), std::log10(extent.high / unit.in_si)};
-    add_side(panel, report.name_a, 0, each.of_a, each.a, extent, report.confidence, unit.in_si);
-    add_side(panel, report.name_b, 1, each.of_b, each.b, extent, report.confidence, unit.in_si);
+    add_side(panel, report.name_a, 0, each.a, extent, report.confidence, unit.in_si);
+    add_side(panel, report.name_b, 1, each.b, extent, report.confidence, unit.in_si);
     chart.panels.push_back({.panel = std::move(panel), .height = 220});
   }
   if (chart.panels.empty())

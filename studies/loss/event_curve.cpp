@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "studies/loss/study_loss.h"
 
@@ -19,8 +20,21 @@ EventCurve::EventCurve(std::vector<statistics::Stripe> stripes) {
   std::erase_if(stripes, [](const statistics::Stripe& each) { return each.runs == 0; });
   const statistics::ProbitFit fit = statistics::fit_probit(stripes);
   status_ = fit.status;
-  if (status_ == statistics::FragilityStatus::kFitted) curve_ = fit.curve();
-  if (curve_ || stripes.empty()) return;
+  if (status_ == statistics::FragilityStatus::kFitted)
+    curve_ = fit.curve();
+  else
+    take_shares(std::move(stripes));
+}
+
+EventCurve::EventCurve(const std::vector<statistics::Capacity>& capacities) {
+  const statistics::CapacityFit fit = statistics::fit_capacities(capacities);
+  status_ = fit.status;
+  curve_ = fit.curve;
+  if (!curve_) take_shares(statistics::stripes_of(capacities));
+}
+
+void EventCurve::take_shares(std::vector<statistics::Stripe> stripes) {
+  if (stripes.empty()) return;
   for (const statistics::Stripe& each : stripes) im_.push_back(each.im);
   share_ = statistics::isotonic_curve(stripes);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -14,6 +15,7 @@
 #include "engine/config/nearest_name.h"
 #include "studies/analysis/curve_audit.h"
 #include "studies/analysis/demand_runs.h"
+#include "studies/analysis/fitted_curve.h"
 #include "studies/analysis/scale_factors.h"
 #include "studies/statistics/quantiles.h"
 
@@ -50,7 +52,7 @@ std::string without_number(const std::string& name) {
 
 /// What is known of one run.
 struct RunLoss {
-  std::size_t run = 0, record = 0;
+  std::size_t run = 0, record = 0, analysis_case = 0;
   double im = 0;
   std::vector<ItemLoss> items;
 
@@ -73,11 +75,42 @@ using IsEvent = std::function<bool(const RunLoss&)>;
 
 constexpr double kSameIntensity = 1e-9;  // rounding of a unit, over the intensity
 
+/// Outcomes of an event in runs, or after an IDA the capacities of its analysis cases, by records.
+class EventOutcomes {
+ public:
+  EventOutcomes(const std::vector<statistics::Observation>& seen, bool traced) {
+    if (traced)
+      capacities_ = statistics::ida_capacities(seen);
+    else
+      table_.emplace(seen);
+  }
+
+  EventCurve curve() const {
+    return table_ ? EventCurve(table_->stripes()) : EventCurve(capacities_);
+  }
+
+  /// Of a sample that has each record so often.
+  EventCurve resampled(const std::vector<int>& times) const {
+    if (table_) return EventCurve(table_->resampled(times));
+    std::vector<statistics::Capacity> drawn;
+    for (statistics::Capacity each : capacities_) {
+      each.weight *= times[each.group];
+      if (each.weight > 0) drawn.push_back(each);
+    }
+    return EventCurve(drawn);
+  }
+
+ private:
+  std::optional<statistics::StripeTable> table_;
+  std::vector<statistics::Capacity> capacities_;
+};
+
 /// Runs, records and the bootstrap over records of one configuration.
 class Runs {
  public:
-  Runs(std::vector<RunLoss> runs, std::uint64_t seed, int threads)
-      : runs_(std::move(runs)), seed_(seed), threads_(threads) {
+  /// @param traced  the runs are those of an IDA over their im
+  Runs(std::vector<RunLoss> runs, bool traced, std::uint64_t seed, int threads)
+      : runs_(std::move(runs)), traced_(traced), seed_(seed), threads_(threads) {
     std::map<std::size_t, std::size_t> numbers;
     for (RunLoss& run : runs_)
       run.record = numbers.emplace(run.record, numbers.size()).first->second;
@@ -87,10 +120,15 @@ class Runs {
   const std::vector<RunLoss>& all() const { return runs_; }
   std::size_t records() const { return records_; }
 
-  statistics::StripeTable table(const IsEvent& is_event) const {
+  EventOutcomes outcomes(const IsEvent& is_event) const {
+    return {observations(is_event), traced_};
+  }
+
+  std::vector<statistics::Observation> observations(const IsEvent& is_event) const {
     std::vector<statistics::Observation> seen;
-    for (const RunLoss& run : runs_) seen.push_back({run.im, is_event(run), run.record});
-    return statistics::StripeTable(seen);
+    for (const RunLoss& run : runs_)
+      seen.push_back({run.im, is_event(run), run.record, run.analysis_case});
+    return seen;
   }
 
   std::optional<Interval> interval(
@@ -104,6 +142,7 @@ class Runs {
 
  private:
   std::vector<RunLoss> runs_;
+  bool traced_;
   std::uint64_t seed_;
   int threads_;
   std::size_t records_ = 0;
@@ -188,21 +227,20 @@ class Expectation {
   Expectation(const Runs& runs, const std::vector<Step>& steps) : runs_(runs) {
     for (const Step& step : steps) {
       amounts_.push_back(step.amount);
-      tables_.push_back(runs.table(step.is_event));
+      events_.push_back(runs.outcomes(step.is_event));
     }
   }
 
   bool is_fitted() const {
-    return std::ranges::all_of(tables_, [](const statistics::StripeTable& each) {
-      return EventCurve(each.stripes()).is_fitted();
-    });
+    return std::ranges::all_of(events_,
+                               [](const EventOutcomes& each) { return each.curve().is_fitted(); });
   }
 
   LossEstimate of(const std::function<double(const EventCurve&)>& chance) const {
     const auto sum = [&](const std::vector<int>& times) {
       double total = 0;
-      for (std::size_t i = 0; i < tables_.size(); ++i)
-        total += amounts_[i] * chance(EventCurve(tables_[i].resampled(times)));
+      for (std::size_t i = 0; i < events_.size(); ++i)
+        total += amounts_[i] * chance(events_[i].resampled(times));
       return total;
     };
     return {sum(std::vector<int>(runs_.records(), 1)), runs_.interval(sum)};
@@ -211,7 +249,7 @@ class Expectation {
  private:
   const Runs& runs_;
   std::vector<double> amounts_;
-  std::vector<statistics::StripeTable> tables_;
+  std::vector<EventOutcomes> events_;
 };
 
 /// Costs, days, service and injury of all items as sums of steps.
@@ -305,20 +343,45 @@ class ReachedStates {
   std::vector<std::string> missing_;
 };
 
+/// For each run the number of the sample of prices and ratios: the same for one record, angle and
+/// draw, at any level and in any configuration.
+std::vector<std::uint64_t> price_samples(const StudyData& data) {
+  const StudyReader& file = data.file();
+  const auto whole = [&](const std::string& column, std::size_t runs) {
+    return file.has_column(column) ? file.numbers(column) : std::vector<double>(runs);
+  };
+  const std::vector<double> record = file.numbers("runs/record");
+  const std::vector<double> angle = whole("runs/angle", record.size()),
+                            draw = whole("runs/draw", record.size());
+  using Case = std::array<double, 3>;
+  std::map<Case, std::uint64_t> numbers;
+  for (std::size_t run = 0; run < record.size(); ++run)
+    numbers[{record[run], angle[run], draw[run]}] = 0;
+  std::uint64_t next = 0;
+  for (auto& [of, number] : numbers) number = next++;
+  std::vector<std::uint64_t> samples;
+  for (std::size_t run = 0; run < record.size(); ++run)
+    samples.push_back(numbers.at({record[run], angle[run], draw[run]}));
+  return samples;
+}
+
 Runs runs_of(const StudyData& data, std::size_t configuration, const Consequences& consequences,
              ReachedStates& reached, const StudyLoss& loss, const RunMeasure& measure,
              int threads) {
   std::vector<RunLoss> runs;
   const std::uint64_t seed = data.study().seed;
+  const std::vector<double> cases = data.file().numbers("runs/analysis_case");
+  const std::vector<std::uint64_t> samples = price_samples(data);
   for (const std::size_t run : data.runs_of(configuration)) {
     if (!(measure.values[run] > 0)) continue;
-    RunLoss each{run, data.record_of(run), measure.values[run], {}};
+    RunLoss each{
+        run, data.record_of(run), static_cast<std::size_t>(cases[run]), measure.values[run], {}};
     for (const PricedItem& item : loss.items)
       each.items.push_back(
-          item_loss(consequences, item, reached.of(run, item.name), seed, runs.size()));
+          item_loss(consequences, item, reached.of(run, item.name), seed, samples[run]));
     runs.push_back(std::move(each));
   }
-  return Runs(std::move(runs), seed, threads);
+  return Runs(std::move(runs), data.traces(configuration, measure), seed, threads);
 }
 
 void add_levels(const StudyData& data, const Runs& runs, int threads, StudyLoss& loss) {
@@ -330,24 +393,28 @@ void add_levels(const StudyData& data, const Runs& runs, int threads, StudyLoss&
       if (levels.of_run[run.run] == i) chosen.push_back(run);
     if (chosen.empty()) continue;
     loss.levels.push_back(
-        at_level(levels.texts[i], Runs(std::move(chosen), data.study().seed, threads)));
+        at_level(levels.texts[i], Runs(std::move(chosen), false, data.study().seed, threads)));
   }
+}
+
+/// Of what is said for each curve of the study, not the factors and the records.
+CurveAudit audit_of_step(const StudyData& data, std::size_t configuration,
+                         const RunMeasure& measure, const Runs& runs, const IsEvent& is_event) {
+  CurveAudit audit =
+      curve_of_event(data, configuration, measure, runs.observations(is_event)).audit;
+  audit.factors = {};
+  audit.fewest = 0;
+  audit.overturned = 0;
+  return audit;
 }
 
 /// Cautions of curves beyond the runs, of those of few runs, and of intensities beyond them.
 void add_cautions_of_curves(const Runs& runs, const ReportUnit& unit, StudyLoss& loss) {
   const auto [low, high] = std::ranges::minmax(runs.all(), {}, &RunLoss::im);
-  for (const FittedStep& step : loss.steps) {
-    if (!step.curve.is_fitted()) continue;
-    CurveAudit audit;
-    audit.theta = step.curve.curve()->theta;
-    audit.lowest = low.im;
-    audit.highest = high.im;
-    audit.outcomes = step.runs;
-    audit.exceeded = step.happened;
-    for (const std::string& caution : cautions(audit, unit))
-      loss.cautions.push_back(fmt::format("{}, {}: {}", step.item, step.states, caution));
-  }
+  for (const FittedStep& step : loss.steps)
+    if (step.curve.is_fitted())
+      for (const std::string& caution : cautions(step.audit, unit))
+        loss.cautions.push_back(fmt::format("{}, {}: {}", step.item, step.states, caution));
   for (const ExpectedLoss& at : loss.at)
     if (at.im < low.im * (1 - kSameIntensity) || at.im > high.im * (1 + kSameIntensity))
       loss.cautions.push_back(
@@ -406,9 +473,9 @@ StudyLoss loss_of(const StudyData& data, std::size_t configuration,
       fitted.item = loss.items[i].name;
       fitted.states = states_from(consequences, loss.items[i], step.threshold);
       fitted.cost = step.amount;
-      fitted.runs = loss.runs;
       fitted.happened = static_cast<std::size_t>(std::ranges::count_if(runs.all(), step.is_event));
-      fitted.curve = EventCurve(runs.table(step.is_event).stripes());
+      fitted.curve = runs.outcomes(step.is_event).curve();
+      fitted.audit = audit_of_step(data, configuration, measure, runs, step.is_event);
       if (hazard != nullptr) fitted.rate = fitted.curve.rate(*hazard);
       loss.steps.push_back(std::move(fitted));
     }
@@ -418,6 +485,8 @@ StudyLoss loss_of(const StudyData& data, std::size_t configuration,
         expected.of(im, [im](const EventCurve& curve) { return curve.probability(im); }));
   if (hazard != nullptr)
     loss.annual = expected.of(0, [hazard](const EventCurve& curve) { return curve.rate(*hazard); });
+  if (const std::string over = data.other_hazard(measure); !over.empty())
+    loss.cautions.push_back(no_rate_text(over));
   add_cautions(data, configuration, loss);
   add_cautions_of_curves(runs, report_unit(data, loss.measure), loss);
   return loss;

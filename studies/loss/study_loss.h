@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "studies/analysis/curve_audit.h"
 #include "studies/analysis/study_data.h"
 #include "studies/loss/consequences.h"
+#include "studies/statistics/capacity.h"
 #include "studies/statistics/fragility.h"
 #include "studies/statistics/hazard.h"
 #include "studies/statistics/resample.h"
@@ -70,13 +72,15 @@ struct LossAtLevel {
 double rate_of_shares(const std::vector<double>& im, const std::vector<double>& share,
                       const statistics::HazardCurve& hazard);
 
-/// P(event | im): the lognormal curve that fits its outcomes, else, where none does, the shares of
-/// the runs at each intensity that never fall with it (isotonic_curve()): linear in ln im between,
-/// nothing below the lowest intensity, constant above the highest.
+/// P(event | im): the lognormal curve that fits its outcomes, or its capacities after an IDA, else,
+/// where none does, the shares of the runs or analysis cases at each intensity that never fall with
+/// it (isotonic_curve()): linear in ln im between, nothing below the lowest intensity, constant above
+/// the highest.
 class EventCurve {
  public:
   EventCurve() = default;
   explicit EventCurve(std::vector<statistics::Stripe> stripes);
+  explicit EventCurve(const std::vector<statistics::Capacity>& capacities);
 
   bool is_fitted() const { return curve_.has_value(); }
   const std::optional<statistics::LognormalCurve>& curve() const { return curve_; }
@@ -87,6 +91,8 @@ class EventCurve {
   double rate(const statistics::HazardCurve& hazard) const;
 
  private:
+  void take_shares(std::vector<statistics::Stripe> stripes);
+
   statistics::FragilityStatus status_ = statistics::FragilityStatus::kNoRuns;
   std::optional<statistics::LognormalCurve> curve_;
   std::vector<double> im_, share_;
@@ -94,8 +100,9 @@ class EventCurve {
 
 /// A step with the curve of its event.
 struct FittedStep : LossStep {
-  std::size_t runs = 0, happened = 0;
+  std::size_t happened = 0;  ///< runs
   EventCurve curve;
+  CurveAudit audit;
   std::optional<double> rate;  ///< a year, with a hazard
 };
 

@@ -138,10 +138,10 @@ void add_fits(const StudyPage& page, Methods& methods) {
   const auto any = [&](auto has) { return std::ranges::any_of(page.fragilities, has); };
   if (any([](const auto& each) { return each.capacities && each.curve(); })) {
     methods.sentences.push_back(
-        "For the limit state that ends the incremental dynamic analysis, lognormal fragility "
-        "curves were fitted to the records' capacities as interval-censored data; records that "
-        "never exceed are right-censored, and cases of one record share its weight (a composite "
-        "likelihood; Varin et al. 2011).");
+        "Lognormal fragility curves were fitted to the capacities that the incremental dynamic "
+        "analysis brackets for each record and limit state, as interval-censored data; records "
+        "that never exceed are right-censored, and cases of one record share its weight (a "
+        "composite likelihood; Varin et al. 2011).");
     methods.sources.push_back(kCluster);
   }
   if (any([](const auto& each) { return !each.capacities && each.curve(); })) {

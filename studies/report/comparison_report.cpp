@@ -159,19 +159,19 @@ Table quantities(const ComparisonReport& report, Kind kind, const char* key, con
   return table;
 }
 
-std::string curve_text(const statistics::FragilityFit& fit, const study::ReportUnit& unit) {
-  if (fit.curve)
-    return fmt::format("{:.4g}, {:.3g}", fit.curve->theta / unit.in_si, fit.curve->beta);
-  const std::string known = study::median_text(fit.status, fit.median, unit);
-  return known.empty() ? text(fit.status) : known;
+std::string curve_text(const study::FittedCurve& of, const study::ReportUnit& unit) {
+  if (const auto curve = of.curve())
+    return fmt::format("{:.4g}, {:.3g}", curve->theta / unit.in_si, curve->beta);
+  const std::string known = study::median_text(of.status(), of.median(), unit);
+  return known.empty() ? text(of.status()) : known;
 }
 
 /// Cautions on the curves of one side; that of the scale factors once, since they are the same.
 void add_cautions(Section& to, const std::string& label, const study::StudyComparison& found,
-                  study::CurveAudit study::ComparedCurves::*audit, const study::ReportUnit& unit) {
+                  study::FittedCurve study::ComparedCurves::*side, const study::ReportUnit& unit) {
   study::CurveAudit of_records;
   for (const study::ComparedCurves& row : found.curves) {
-    study::CurveAudit of_curve = row.*audit;
+    study::CurveAudit of_curve = (row.*side).audit;
     of_records.factors = std::exchange(of_curve.factors, {});
     for (const std::string& each : study::cautions(of_curve, unit))
       to.say(fmt::format("{}, {}: caution: {}", label, row.name, each));
@@ -180,18 +180,18 @@ void add_cautions(Section& to, const std::string& label, const study::StudyCompa
     to.say(fmt::format("{}: caution: {}", label, each));
 }
 
-void add_curve(std::vector<findings::Cell>& row, const statistics::FragilityFit& fit,
-               const study::CurveAudit& audit, const study::ReportUnit& shown,
-               const study::ReportUnit& unit) {
+void add_curve(std::vector<findings::Cell>& row, const study::FittedCurve& side,
+               const study::ReportUnit& shown, const study::ReportUnit& unit) {
   const Format of = format_of(shown, unit.in_si);
-  row.insert(row.end(), {text(fit.status),
-                         fit.runs,
-                         fit.exceeded,
-                         {fit.curve ? Value() : ends(fit.median), of},
-                         {fit.curve ? Value(fit.curve->theta) : Value(), of},
-                         fit.curve ? Value(fit.curve->beta) : Value(),
-                         study::cautions(audit, unit),
-                         curve_text(fit, shown)});
+  const auto curve = side.curve();
+  row.insert(row.end(), {text(side.status()),
+                         side.fit.runs,
+                         side.fit.exceeded,
+                         {curve ? Value() : ends(side.median()), of},
+                         {curve ? Value(curve->theta) : Value(), of},
+                         curve ? Value(curve->beta) : Value(),
+                         study::cautions(side.audit, unit),
+                         curve_text(side, shown)});
 }
 
 /// Without curves: why there are none.
@@ -216,8 +216,8 @@ Section curves(const ComparisonReport& report) {
                             : study::report_unit(*report.a.data, {found.measure, found.units, {}});
   for (const study::ComparedCurves& row : found.curves) {
     std::vector<findings::Cell> cells{row.name};
-    add_curve(cells, row.a, row.audit_a, shown, unit);
-    add_curve(cells, row.b, row.audit_b, shown, unit);
+    add_curve(cells, row.a, shown, unit);
+    add_curve(cells, row.b, shown, unit);
     cells.insert(cells.end(), {row.likelihood_ratio, row.p, row.p_holm, mark(row.p_holm)});
     table.add(std::move(cells));
   }
@@ -227,8 +227,8 @@ Section curves(const ComparisonReport& report) {
   if (found.curves.empty())
     return all.say("no fragility curves: all runs have one " + found.measure + "; see the shares");
   all.say(fmt::format("theta in {} ({})", shown.name, found.measure));
-  add_cautions(all, report.label_a, found, &study::ComparedCurves::audit_a, shown);
-  add_cautions(all, report.label_b, found, &study::ComparedCurves::audit_b, shown);
+  add_cautions(all, report.label_a, found, &study::ComparedCurves::a, shown);
+  add_cautions(all, report.label_b, found, &study::ComparedCurves::b, shown);
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
@@ -24,8 +25,13 @@ FragilityStatus status_without_fit(double highest_low, double lowest_high) {
   return highest_low < lowest_high ? FragilityStatus::kSeparated : FragilityStatus::kQuasiSeparated;
 }
 
-/// Every bracket ends or begins at `im`: those below it, and the nearest ends on either side.
-MedianBounds bounds_around(double im, const std::vector<Capacity>& capacities) {
+/// Of brackets that all end or begin at `im`.
+struct Step {
+  MedianBounds median;        ///< from the share below it, and the nearest ends on either side
+  double log_likelihood = 0;  ///< of a step there
+};
+
+Step step_at(double im, const std::vector<Capacity>& capacities) {
   double all = 0, below = 0, nearest_low = 0, nearest_high = kInfinity;
   for (const Capacity& each : capacities) {
     all += each.weight;
@@ -36,7 +42,9 @@ MedianBounds bounds_around(double im, const std::vector<Capacity>& capacities) {
       nearest_high = std::min(nearest_high, each.high);
     }
   }
-  return median_bounds(im, below / all, nearest_low, nearest_high);
+  const auto share = [&](double of) { return of > 0 ? of * std::log(of / all) : 0; };
+  return {median_bounds(im, below / all, nearest_low, nearest_high),
+          share(below) + share(all - below)};
 }
 
 }  // namespace
@@ -53,8 +61,9 @@ std::vector<Capacity> ida_capacities(const std::vector<Observation>& observation
   }
   std::vector<Capacity> capacities;
   for (const auto& [place, runs] : of_case) {
-    const std::size_t group = place.first;
-    Capacity capacity{group, 0, kInfinity, 0, static_cast<int>(runs.size()), 1.0 / cases[group]};
+    const auto [group, analysis_case] = place;
+    Capacity capacity{
+        group, 0, kInfinity, 0, static_cast<int>(runs.size()), 1.0 / cases[group], analysis_case};
     for (const Observation& run : runs)
       if (run.exceeded) capacity.high = std::min(capacity.high, run.im);
     for (const Observation& run : runs) {
@@ -67,6 +76,25 @@ std::vector<Capacity> ida_capacities(const std::vector<Observation>& observation
     capacities.push_back(capacity);
   }
   return capacities;
+}
+
+std::vector<Stripe> stripes_of(const std::vector<Capacity>& capacities) {
+  std::set<double> ends;
+  for (const Capacity& each : capacities)
+    for (const double end : {each.low, each.high})
+      if (end > 0 && std::isfinite(end)) ends.insert(end);
+  std::vector<Stripe> stripes;
+  for (const double im : ends) {
+    Stripe stripe{im};
+    for (const Capacity& each : capacities) {
+      const bool exceeds = each.high <= im;
+      if (!exceeds && each.low < im) continue;
+      stripe.runs += each.weight;
+      stripe.exceeded += exceeds ? each.weight : 0;
+    }
+    stripes.push_back(stripe);
+  }
+  return stripes;
 }
 
 std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacities) {
@@ -95,9 +123,12 @@ CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
     fit.status = status_without_fit(highest_low, lowest_high);
     fit.low = highest_low;
     fit.high = lowest_high;
-    fit.median = fit.status == FragilityStatus::kQuasiSeparated
-                     ? bounds_around(highest_low, capacities)
-                     : MedianBounds{highest_low, lowest_high};
+    fit.median = {highest_low, lowest_high};
+    if (fit.status == FragilityStatus::kQuasiSeparated) {
+      const Step step = step_at(highest_low, capacities);
+      fit.median = step.median;
+      fit.log_likelihood = step.log_likelihood;
+    }
     return fit;
   }
   const auto n = static_cast<Eigen::Index>(values.size());

@@ -20,6 +20,7 @@ struct Capacity {
   int resurrections = 0;  ///< runs at or above `high` that do not exceed
   int runs = 0;
   double weight = 1;  ///< one over the analysis cases of its record
+  std::size_t analysis_case = 0;
 };
 
 /// The capacity of each analysis case by first exceedance (Vamvatsikos & Cornell 2002, EESD 31(3),
@@ -28,15 +29,19 @@ struct Capacity {
 /// @throws Error unless every im is > 0 and finite.
 std::vector<Capacity> ida_capacities(const std::vector<Observation>& observations);
 
+/// Shares of the analysis cases at the ends of their brackets: at each end count those whose bracket
+/// says whether they exceed there. Runs are counted as weights.
+std::vector<Stripe> stripes_of(const std::vector<Capacity>& capacities);
+
 struct CapacityFit {
   FragilityStatus status = FragilityStatus::kNoRuns;
   std::optional<LognormalCurve> curve;  ///< kFitted only
   double low = 0, high = 0;             ///< separated: all capacities can lie in this interval
   MedianBounds median;                  ///< without a curve: what is known of theta
   Eigen::Matrix2d covariance{{0, 0}, {0, 0}};  ///< of (ln theta, ln beta)
-  double log_likelihood = 0;
-  int censored = 0;       ///< records that never exceed
-  int resurrections = 0;  ///< of all records
+  double log_likelihood = 0;                   ///< its limit if separated
+  int censored = 0;                            ///< records that never exceed
+  int resurrections = 0;                       ///< of all records
 };
 
 /// Lognormal capacities by maximum likelihood from brackets; records that never exceed count as

@@ -61,13 +61,46 @@ double sign_flip_test(const std::vector<double>& all, std::uint64_t seed) {
   return (1.0 + count) / (1.0 + kSignFlips);
 }
 
-double likelihood_ratio(const std::vector<Observation>& a, const std::vector<Observation>& b) {
-  std::vector<Observation> both = a;
+double best_log_likelihood(const std::vector<Observation>& seen) {
+  return fit_probit(StripeTable(seen).stripes()).log_likelihood;
+}
+
+double best_log_likelihood(const std::vector<Capacity>& seen) {
+  return fit_capacities(seen).log_likelihood;
+}
+
+template <class Seen>
+double likelihood_ratio(const std::vector<Seen>& a, const std::vector<Seen>& b) {
+  std::vector<Seen> both = a;
   both.insert(both.end(), b.begin(), b.end());
-  const auto best = [](const std::vector<Observation>& seen) {
-    return fit_probit(StripeTable(seen).stripes()).log_likelihood;
-  };
-  return std::max(0.0, 2 * (best(a) + best(b) - best(both)));
+  return std::max(
+      0.0, 2 * (best_log_likelihood(a) + best_log_likelihood(b) - best_log_likelihood(both)));
+}
+
+template <class Seen>
+FragilityComparison compare(const std::vector<Seen>& a, const std::vector<Seen>& b, int resamples,
+                            std::uint64_t seed) {
+  FragilityComparison result;
+  result.likelihood_ratio = likelihood_ratio(a, b);
+  result.p_independent = chi_squared_survival(result.likelihood_ratio, 2);
+  std::map<std::size_t, int> sides;  // bit 1: in a, bit 2: in b
+  for (const Seen& seen : a) sides[seen.group] |= 1;
+  for (const Seen& seen : b) sides[seen.group] |= 2;
+  for (const auto& [group, side] : sides) result.pairs += side == 3;
+  if (result.pairs == 0) return result;
+  int as_large = 0;
+  for (int i = 0; i < resamples; ++i) {
+    std::vector<Seen> swapped_a, swapped_b;
+    const auto swapped = [&](const Seen& seen) {
+      return sides[seen.group] == 3 &&
+             uniform_draw(seed, static_cast<std::uint64_t>(i), seen.group) < 0.5;
+    };
+    for (const Seen& seen : a) (swapped(seen) ? swapped_b : swapped_a).push_back(seen);
+    for (const Seen& seen : b) (swapped(seen) ? swapped_a : swapped_b).push_back(seen);
+    as_large += likelihood_ratio(swapped_a, swapped_b) >= result.likelihood_ratio - 1e-9;
+  }
+  result.p_permutation = (1.0 + as_large) / (1.0 + resamples);
+  return result;
 }
 
 }  // namespace
@@ -110,27 +143,13 @@ PairedDifference paired_difference(const std::vector<Measured>& a, const std::ve
 FragilityComparison compare_fragilities(const std::vector<Observation>& a,
                                         const std::vector<Observation>& b, int resamples,
                                         std::uint64_t seed) {
-  FragilityComparison result;
-  result.likelihood_ratio = likelihood_ratio(a, b);
-  result.p_independent = chi_squared_survival(result.likelihood_ratio, 2);
-  std::map<std::size_t, int> sides;  // bit 1: in a, bit 2: in b
-  for (const Observation& seen : a) sides[seen.group] |= 1;
-  for (const Observation& seen : b) sides[seen.group] |= 2;
-  for (const auto& [group, side] : sides) result.pairs += side == 3;
-  if (result.pairs == 0) return result;
-  int as_large = 0;
-  for (int i = 0; i < resamples; ++i) {
-    std::vector<Observation> swapped_a, swapped_b;
-    const auto swapped = [&](const Observation& seen) {
-      return sides[seen.group] == 3 &&
-             uniform_draw(seed, static_cast<std::uint64_t>(i), seen.group) < 0.5;
-    };
-    for (const Observation& seen : a) (swapped(seen) ? swapped_b : swapped_a).push_back(seen);
-    for (const Observation& seen : b) (swapped(seen) ? swapped_a : swapped_b).push_back(seen);
-    as_large += likelihood_ratio(swapped_a, swapped_b) >= result.likelihood_ratio - 1e-9;
-  }
-  result.p_permutation = (1.0 + as_large) / (1.0 + resamples);
-  return result;
+  return compare(a, b, resamples, seed);
+}
+
+FragilityComparison compare_capacities(const std::vector<Capacity>& a,
+                                       const std::vector<Capacity>& b, int resamples,
+                                       std::uint64_t seed) {
+  return compare(a, b, resamples, seed);
 }
 
 std::vector<double> holm_adjusted(const std::vector<double>& p_values) {

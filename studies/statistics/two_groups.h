@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "studies/statistics/bands.h"
+#include "studies/statistics/capacity.h"
 #include "studies/statistics/fragility.h"
 
 namespace gurney::statistics {
@@ -54,6 +55,11 @@ struct FragilityComparison {
 FragilityComparison compare_fragilities(const std::vector<Observation>& a,
                                         const std::vector<Observation>& b, int resamples = 999,
                                         std::uint64_t seed = 1);
+
+/// The same of capacities by their brackets: a record's are swapped.
+FragilityComparison compare_capacities(const std::vector<Capacity>& a,
+                                       const std::vector<Capacity>& b, int resamples = 999,
+                                       std::uint64_t seed = 1);
 
 /// p-values adjusted for being several, in their order (Holm 1979, Scand. J. Statistics 6(2),
 /// 65-70). NaN stays NaN and does not count.

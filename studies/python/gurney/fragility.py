@@ -30,9 +30,9 @@ class Fragility:
     and judges it. ``theta``, the intervals and all intensities are in ``units``.
 
     ``status`` is "fitted", or says why there is no curve and what is known of its median; ``theta`` and
-    ``beta`` are NaN then. ``method`` is "outcomes", "capacities" after an IDA that this limit state
-    ended, or "cloud". Intervals are None with fewer than 8 effective records (4 of capacities); an
-    end that the runs do not bound is 0 or infinity. ``cautions`` says what to know before use.
+    ``beta`` are NaN then. ``method`` is "outcomes", "capacities" after an IDA, or "cloud".
+    Intervals are None with fewer than 8 effective records (4 of capacities); an end that the runs do
+    not bound is 0 or infinity. ``cautions`` says what to know before use.
     """
 
     limit_state: str

@@ -152,14 +152,40 @@ TEST_F(StudyComparisonTest, CurvesThatDifferAreFound) {
   ASSERT_EQ(found.curves.size(), 2);
   ASSERT_EQ(found.measure, "PGA h1");
   const ComparedCurves& moved = found.curves[0];
-  ASSERT_TRUE(moved.a.curve && moved.b.curve);
-  EXPECT_GT(moved.b.curve->theta, 1.5 * moved.a.curve->theta);
+  ASSERT_TRUE(moved.a.curve() && moved.b.curve());
+  EXPECT_GT(moved.b.curve()->theta, 1.5 * moved.a.curve()->theta);
   // A swap of every record gives the same ratio, others less: of 999, about 999 / 2^11.
   EXPECT_LT(moved.p, 0.01);
   EXPECT_TRUE(std::isnan(found.curves[1].p));  // none fell
-  EXPECT_EQ(moved.audit_b.theta, moved.b.curve->theta);
-  EXPECT_EQ(moved.audit_b.highest, 6);
-  EXPECT_EQ(moved.audit_b.exceeded, moved.b.exceeded);
+  EXPECT_EQ(moved.b.audit.theta, moved.b.curve()->theta);
+  EXPECT_EQ(moved.b.audit.highest, 6);
+  EXPECT_EQ(moved.b.audit.exceeded, moved.b.fit.exceeded);
+}
+
+// Brackets of 5 % about capacities that brakes double: so are the medians, with the same beta. The
+// first run, at the same level in both, is not doubled, and the outcomes of all runs have other
+// curves.
+TEST_F(StudyComparisonTest, CurvesOfAnIdaAreThoseOfItsCapacities) {
+  SyntheticRuns made = brakes(12, 0);
+  made.job.replace(made.job.find("levels = [1, 2]"), 15,
+                   "ida = { first = 0.5, increment = 0.5, until = \"moved\" }");
+  made.runs.clear();
+  for (std::size_t configuration : {0, 1})
+    for (std::size_t i = 0; i < 12; ++i) {
+      const double capacity = (1.2 + 0.2 * static_cast<double>(i)) * (configuration == 1 ? 2 : 1);
+      made.runs.push_back({configuration, i, 0.5, 0.05});
+      made.runs.push_back({configuration, i, 0.95 * capacity, 0.05});
+      made.runs.push_back({configuration, i, 1.05 * capacity, 0.2});
+    }
+  const StudyData study = data(made);
+  const StudyComparison found = compare_studies({&study, 0}, {&study, 1});
+  ASSERT_FALSE(found.curves.empty());
+  const ComparedCurves& moved = found.curves[0];
+  ASSERT_TRUE(moved.a.capacities && moved.b.capacities && moved.a.curve() && moved.b.curve());
+  EXPECT_NEAR(moved.b.curve()->theta, 2 * moved.a.curve()->theta, 1e-6);
+  EXPECT_NEAR(moved.b.curve()->beta, moved.a.curve()->beta, 1e-6);
+  EXPECT_LT(moved.p, 0.01);
+  EXPECT_GT(std::abs(moved.b.fit.curve->theta / moved.a.fit.curve->theta - 2), 0.01);
 }
 
 TEST_F(StudyComparisonTest, LimitStatesOfOneNameMustSayTheSame) {

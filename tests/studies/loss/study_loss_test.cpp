@@ -6,6 +6,7 @@
 
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
+#include "studies/analysis/fitted_curve.h"
 #include "studies/statistics/special.h"
 #include "tests/studies/analysis/small_study.h"
 #include "tests/support/cart_prices.h"
@@ -172,7 +173,7 @@ TEST_F(StudyLossTest, NeedsAPrice) {
 TEST(EventCurve, WithoutACurveHasTheSharesOfTheRunsAndTheirRate) {
   // None of 10 at 1, all at 2: linear in ln im between. With the hazard im^-k the rate is
   // P2 l2 + integral of (ln x / ln 2) k x^(-k - 1) = l2 + [1 - 2^-k (1 + k ln 2)] / (k ln 2).
-  const EventCurve curve({{1, 10, 0}, {2, 10, 10}});
+  const EventCurve curve(std::vector<statistics::Stripe>{{1, 10, 0}, {2, 10, 10}});
   EXPECT_FALSE(curve.is_fitted());
   EXPECT_EQ(curve.probability(0.9), 0);
   EXPECT_NEAR(curve.probability(std::sqrt(2.0)), 0.5, 1e-15);
@@ -181,6 +182,75 @@ TEST(EventCurve, WithoutACurveHasTheSharesOfTheRunsAndTheirRate) {
   const double exact = last + (1 - last * (1 + x)) / x;
   // Midpoints of 64 panels: (k ln 2 / 64)^2 / 12 of it.
   EXPECT_NEAR(curve.rate(statistics::HazardCurve::power_law(1, k)), exact, 4e-5 * exact);
+}
+
+/// Runs of an IDA: records hardly differ in what is above and below their capacity, but in where.
+TEST_F(StudyLossTest, TakesTheCapacitiesOfAnIda) {
+  std::string job = kSmallStudy;
+  const std::string levels = "levels = [0.1, 0.2, 0.4]\n";
+  job.replace(job.find(levels), levels.size(),
+              "ida = { first = 0.1, increment = 0.1, until = \"fell\" }\n");
+  runs_.clear();
+  double squares = 0;
+  for (std::size_t record = 0; record < 40; ++record) {
+    const double z = normal_quantile((static_cast<double>(record) + 0.5) / 40);
+    const double capacity = 2 * std::exp(0.4 * z);
+    squares += z * z;
+    for (const double part : {0.3, 0.6, 0.95, 1.05})
+      runs_.push_back({record, part * capacity, part > 0.5 ? 0.2 : 0.05, part > 1});
+  }
+  write_small_study(path_, runs_, job);
+  const StudyLoss found = loss({.at = {3}});
+  const StudyData data(path_);
+  ASSERT_EQ(found.steps.size(), 2);
+  for (const std::size_t state : {0, 1}) {
+    const auto curve = fitted_curve(data, state, 0, data.measure("")).curve();
+    ASSERT_TRUE(curve && found.steps[state].curve.curve()) << state;
+    EXPECT_EQ(found.steps[state].curve.curve()->theta, curve->theta);
+    EXPECT_EQ(found.steps[state].curve.curve()->beta, curve->beta);
+  }
+  // Capacities of 2 exp(0.4 z) in brackets from 0.95 to 1.05 and from 0.3 to 0.6 of them, whose middles
+  // are at 0.9987 and 0.424. beta of ML is the spread of the 40, but for w^2 / 12 of a bracket, w =
+  // 0.1: (w^2 / 12) / (2 beta) = 0.001.
+  EXPECT_NEAR(found.steps[1].curve.curve()->theta, 2 * 0.9987, 2 * 0.001);
+  EXPECT_NEAR(found.steps[1].curve.curve()->beta, 0.4 * std::sqrt(squares / 40), 0.0015);
+  EXPECT_NEAR(found.steps[0].curve.curve()->theta, 2 * 0.424, 2 * 0.01);
+  const auto& cost = found.at.front().cost;
+  ASSERT_TRUE(cost.interval);
+  EXPECT_LE(cost.interval->low, cost.value);
+  EXPECT_GE(cost.interval->high, cost.value);
+}
+
+TEST(EventCurve, OfSeparatedCapacitiesHasTheirShares) {
+  const EventCurve curve(std::vector<statistics::Capacity>{{0, 1, 3}, {1, 2, 4}});
+  EXPECT_FALSE(curve.is_fitted());
+  EXPECT_EQ(curve.probability(1), 0);
+  EXPECT_EQ(curve.probability(2), 0);
+  EXPECT_EQ(curve.probability(4), 1);
+}
+
+/// The first run costs nothing whatever is drawn: that it failed changes nothing of the others.
+TEST_F(StudyLossTest, DrawsTheSameNumbersWhereARunFailed) {
+  std::string text = kFile;
+  const std::string price = "price = 1000";
+  text.replace(
+      text.find(price), price.size(),
+      "price = { value = 1000, assumption = \"a guess\", range = [500, 2000], distribution "
+      "= { kind = \"lognormal\", median = 1000, beta = 0.3, low = 500, high = 2000, "
+      "assumption = \"a guess\" } }");
+  runs_.insert(runs_.begin(), {40, 1.0, 0.0});
+  write_small_study(path_, runs_);
+  const double before = loss({}, text).levels.back().largest;
+  runs_.front().failed = true;
+  write_small_study(path_, runs_);
+  EXPECT_EQ(loss({}, text).levels.back().largest, before);
+}
+
+TEST_F(StudyLossTest, SaysThatTheHazardIsOverAnotherMeasure) {
+  const StudyLoss found = loss({.measure = "pfv"});
+  EXPECT_FALSE(found.annual);
+  EXPECT_THAT(found.cautions,
+              testing::Contains("no annual rate: the hazard of the job is over PGA h1"));
 }
 
 // Falls have a median of 4 m/s2, the strongest runs; of the unbraked half few fall.

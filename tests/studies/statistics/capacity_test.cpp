@@ -151,6 +151,25 @@ TEST(CapacityFit, SaysWhyThereIsNoCurve) {
   EXPECT_FALSE(fit_capacities(brackets({{1, 2}, {2, 4}})).curve);
 }
 
+// Two of four below 2: the likelihood of a step there is 2^-4.
+TEST(CapacityFit, HasTheLimitOfTheLikelihoodWhereItIsSeparated) {
+  EXPECT_NEAR(fit_capacities(brackets({{1, 2}, {1, 2}, {2, 4}, {2, 5}})).log_likelihood,
+              -4 * std::log(2.0), 1e-12);
+  EXPECT_EQ(fit_capacities(brackets({{1, 3}, {2, 4}})).log_likelihood, 0);
+}
+
+// At 2 the third says nothing, at 3 the first two; the fourth never exceeds and says it up to 4.
+TEST(StripesOfCapacities, CountTheCasesWhoseBracketKnows) {
+  const auto stripes = stripes_of(brackets({{1, 2}, {2, 3}, {1, 4}, {4, kInfinity}}));
+  ASSERT_EQ(stripes.size(), 4);
+  const double runs[] = {4, 3, 3, 4}, exceeded[] = {0, 1, 2, 3};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(stripes[i].im, static_cast<double>(i + 1));
+    EXPECT_EQ(stripes[i].runs, runs[i]) << i;
+    EXPECT_EQ(stripes[i].exceeded, exceeded[i]) << i;
+  }
+}
+
 TEST(Capacity, ARecordSeenThriceAlikeTellsWhatItTellsOnce) {
   const std::vector<Capacity> once =
       brackets({{1, 1.4}, {1.2, 1.7}, {0.6, 0.8}, {2, 3}, {0.9, 1.2}, {2.5, kInfinity}});

@@ -106,6 +106,36 @@ TEST(CompareFragilities, FindsADifferenceAndTakesSeparatedData) {
   EXPECT_FALSE(extreme.p_permutation);
 }
 
+// Exact capacities are normal in their logarithms: -2 ln L = n ln(2 pi s^2) + n with the mean
+// square s^2 about the mean, which leaves n_a ln(s^2 / s_a^2) + n_b ln(s^2 / s_b^2).
+TEST(CompareCapacities, OfExactOnesHasTheRatioOfTheNormalLaw) {
+  std::vector<Capacity> a, b;
+  std::vector<double> of_a, of_b, of_both;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const double x = 0.3 * std::sin(1.0 + static_cast<double>(i)),
+                 y = 0.8 + 0.5 * std::cos(2.0 * static_cast<double>(i));
+    a.push_back({i, std::exp(x), std::exp(x)});
+    b.push_back({i, std::exp(y), std::exp(y)});
+    of_a.push_back(x);
+    of_b.push_back(y);
+  }
+  of_both = of_a;
+  of_both.insert(of_both.end(), of_b.begin(), of_b.end());
+  const auto square = [](const std::vector<double>& x) {
+    double mean = 0, sum = 0;
+    for (const double each : x) mean += each / static_cast<double>(x.size());
+    for (const double each : x) sum += (each - mean) * (each - mean);
+    return sum / static_cast<double>(x.size());
+  };
+  const auto found = compare_capacities(a, b, 99);
+  const double expected =
+      12 * std::log(square(of_both) / square(of_a)) + 12 * std::log(square(of_both) / square(of_b));
+  EXPECT_NEAR(found.likelihood_ratio, expected, 1e-8 * expected);
+  EXPECT_EQ(found.pairs, 12);
+  EXPECT_LE(*found.p_permutation, 0.02);
+  EXPECT_EQ(*compare_capacities(a, a, 99).p_permutation, 1);
+}
+
 TEST(Holm, AdjustsInStepsDown) {
   const auto adjusted = holm_adjusted({0.01, 0.04, 0.03, 0.005});
   EXPECT_THAT(adjusted, testing::Pointwise(testing::DoubleNear(1e-15), {0.03, 0.06, 0.06, 0.02}));
