@@ -5,17 +5,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
+#include "engine/config/range.h"
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/hazard/usgs_answer.h"
 
 namespace gurney::groundmotions {
 namespace {
+
+using config::Range;
+
+const Range kLevels = Range::positive();  ///< [g]
+const Range kMagnitudes = Range::positive();
+const Range kDistances = Range::not_negative();  ///< [km]
 
 bool same(double a, double b) { return std::abs(a - b) <= 1e-5 * b; }  // files have six digits
 
@@ -45,15 +54,23 @@ Disaggregation read_usgs(const std::string& path, const DisaggregationRequest& r
   require(!found.empty(), path + ": has no disaggregation of SA at a period");
   const UsgsDisaggregation& of = found[chosen(path, "period_s", periods, request.period)];
   const std::string mean = "Mean";
-  return {of.measure.period,
-          answer.summed_up(of, "aggregation targets", {"ground motion", "Exceedance IML"}) *
-              kStandardGravity,
-          answer.summed_up(of, mean, {"m"}), answer.summed_up(of, mean, {"r"}),
-          answer.summed_up(of, mean, {"\u03b5\u2080"})};  // epsilon_0
+  return {
+      of.measure.period,
+      answer.summed_up(of, "aggregation targets", {"ground motion", "Exceedance IML"}, kLevels) *
+          kStandardGravity,
+      answer.summed_up(of, mean, {"m"}, kMagnitudes), answer.summed_up(of, mean, {"r"}, kDistances),
+      answer.summed_up(of, mean, {"\u03b5\u2080"}, Range::any())};  // epsilon_0
 }
 
 constexpr std::array<const char*, 7> kColumns = {"imt", "iml", "poe", "mag", "dist", "eps", "mean"};
 enum Column { kImt, kIml, kPoe, kMag, kDist, kEps, kValue };
+
+Range range_of(std::size_t column) {
+  return column == kIml    ? kLevels
+         : column == kMag  ? kMagnitudes
+         : column == kDist ? kDistances
+                           : Range::any();
+}
 
 /// Indices of kColumns in a file; eps may be missing.
 std::array<std::optional<std::size_t>, 7> columns_of(const std::vector<CsvCell>& titles) {
@@ -135,13 +152,20 @@ class OpenQuakeFile {
       const CsvCell& cell = cells[*columns_[each]];
       const auto value = number(cell.text);
       const bool is_poe = each == kPoe || each == kValue;
-      if (!value || (is_poe && !(*value >= 0 && *value < 1)))
+      if (!value || !range_of(each).contains(*value) || (is_poe && !(*value >= 0 && *value < 1)))
         errors_.add(line, cell.column,
                     fmt::format("{} '{}': must be {}", titles_[*columns_[each]].text, cell.text,
-                                is_poe ? "a probability below 1" : "a number"));
+                                is_poe ? "a probability below 1" : range_of(each).text()));
       else
         values[each] = *value;
     }
+    const double level =
+        levels_.try_emplace({measure.period, values[kPoe]}, values[kIml]).first->second;
+    if (values[kIml] != level)
+      errors_.add(
+          line, cells[*columns_[kIml]].column,
+          fmt::format("iml {:g}: must be {:g}, as of the other rows of SA({:g}) and poe {:g}",
+                      values[kIml], level, measure.period, values[kPoe]));
     bins_.push_back({measure.period, values[kIml], values[kPoe], values[kMag], values[kDist],
                      values[kEps], -std::log1p(-values[kValue])});
   }
@@ -159,6 +183,7 @@ class OpenQuakeFile {
   FileErrors errors_;
   std::vector<CsvCell> titles_;
   std::array<std::optional<std::size_t>, 7> columns_;
+  std::map<std::pair<double, double>, double> levels_;  ///< by period and poe
   std::vector<Bin> bins_;
 };
 

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
-#include "engine/base/input_file.h"
 #include "engine/base/number_text.h"
 #include "engine/base/unit_table.h"
+#include "groundmotions/formats/source_file.h"
 #include "groundmotions/hazard/published_measure.h"
 #include "groundmotions/hazard/usgs_answer.h"
 
@@ -40,10 +39,12 @@ struct Row {
 class Rows {
  public:
   explicit Rows(const std::string& path) : path_(path) {
-    std::istringstream text(read_input_file(path));
-    std::string line;
-    for (std::size_t number = 1; std::getline(text, line); ++number)
+    const SourceFile file(path);
+    std::size_t number = file.blank_lines();
+    for (const std::string_view line : file.lines()) {
+      ++number;
       if (!trimmed(line).empty()) rows_.push_back({number, csv_row(line)});
+    }
   }
 
   std::size_t size() const { return rows_.size(); }

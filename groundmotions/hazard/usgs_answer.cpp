@@ -98,7 +98,8 @@ std::vector<UsgsDisaggregation> UsgsAnswer::disaggregations() const {
 }
 
 double UsgsAnswer::summed_up(const UsgsDisaggregation& of, const std::string& summary,
-                             const std::vector<std::string>& names) const {
+                             const std::vector<std::string>& names,
+                             const config::Range& allowed) const {
   for (const Node& part : member(*of.total, "summary", Node::Kind::kArray).elements) {
     if (member(part, "name", Node::Kind::kText).text.find(summary) == std::string::npos) continue;
     for (const Node& each : member(part, "data", Node::Kind::kArray).elements) {
@@ -106,7 +107,8 @@ double UsgsAnswer::summed_up(const UsgsDisaggregation& of, const std::string& su
       if (std::ranges::none_of(names, [&](const auto& name) { return text.ends_with(name); }))
         continue;
       const Node* const value = each.find("value");
-      if (!value || !value->is_number()) fail(each, "value must be a number");
+      if (!value || !value->is_number() || !allowed.contains(value->number))
+        fail(value ? *value : each, fmt::format("value of '{}' must be {}", text, allowed.text()));
       return value->number;
     }
     fail(part, fmt::format("has no '{}'", fmt::join(names, "' or '")));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/config/document.h"
+#include "engine/config/range.h"
 #include "groundmotions/hazard/published_measure.h"
 
 namespace gurney::groundmotions {
@@ -41,8 +42,9 @@ class UsgsAnswer {
   /// "value": 7.1}]}.
   /// @param summary  a part of its name
   /// @param names    how the name of the number may end
+  /// @throws Error with the path of the element; for a number that is not `allowed`
   double summed_up(const UsgsDisaggregation& of, const std::string& summary,
-                   const std::vector<std::string>& names) const;
+                   const std::vector<std::string>& names, const config::Range& allowed) const;
 
   [[noreturn]] void fail(const config::Node& at, const std::string& message) const;
 

@@ -4,16 +4,15 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
-#include "engine/base/input_file.h"
 #include "engine/base/number_text.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/config/nearest_name.h"
 #include "equipment/catalogue/data_folder.h"
+#include "groundmotions/formats/source_file.h"
 #include "studies/hospital/outcomes.h"
 #include "studies/statistics/special.h"
 
@@ -63,9 +62,9 @@ State& state_in(States& states, const Setting& setting, const std::string& name)
 class CurveFile {
  public:
   CurveFile(const std::string& path, States& into) : path_(path), into_(into) {
-    std::istringstream text(read_input_file(path));
-    std::string line;
-    while (std::getline(text, line)) {
+    const groundmotions::SourceFile file(path);
+    line_ = file.blank_lines();
+    for (const std::string_view line : file.lines()) {
       ++line_;
       if (trimmed(line).empty()) continue;
       cells_ = csv_row(line);

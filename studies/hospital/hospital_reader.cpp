@@ -5,16 +5,15 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
-#include "engine/base/input_file.h"
 #include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/quantity.h"
+#include "groundmotions/formats/source_file.h"
 #include "studies/hospital/hospital.h"
 #include "studies/hospital/toml_text.h"
 
@@ -77,9 +76,9 @@ HospitalItem read_item(Table& in, std::set<std::string>& taken) {
 class ItemTable {
  public:
   ItemTable(const std::string& path, std::set<std::string>& taken) : path_(path), taken_(taken) {
-    std::istringstream text(read_input_file(path));
-    std::string line;
-    while (std::getline(text, line)) {
+    const groundmotions::SourceFile file(path);
+    line_ = file.blank_lines();
+    for (const std::string_view line : file.lines()) {
       ++line_;
       if (trimmed(line).empty() || line.starts_with('#')) continue;
       take(csv_row(line));

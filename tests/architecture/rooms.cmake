@@ -62,8 +62,8 @@ set(GURNEY_ROOMS
     studies/results studies/limit_states studies/plan"
   "studies/loss: engine/base engine/config equipment/catalogue studies/statistics
     studies/limit_states studies/analysis"
-  "studies/hospital: engine/base engine/config equipment/catalogue studies/statistics
-    studies/plan studies/analysis studies/loss"
+  "studies/hospital: engine/base engine/config groundmotions/formats equipment/catalogue
+    studies/statistics studies/plan studies/analysis studies/loss"
   "studies/convergence: engine/base engine/run studies/statistics studies/results
     studies/prepare studies/limit_states studies/run"
   "studies/exports: engine/base engine/config engine/scene groundmotions/measures

@@ -58,23 +58,42 @@ TEST_F(DisaggregationTest, WhatIsWrongHasItsPlace) {
   EXPECT_ERROR(read("a.csv", bins("", "eps,rlz0,rlz1")), "'mean', and not one realization");
   EXPECT_ERROR(read("a.csv", bins("SA(1.0),0.4,0.1,6,10,0.5\n")), "a.csv:3:1: has 6 values for 7");
   EXPECT_ERROR(read("a.csv", bins("SA(1.0),0.4,0.1,x,10,0.5,1.0\n")),
-               "a.csv:3:17: mag 'x': must be a number");
+               "a.csv:3:17: mag 'x': must be a finite number > 0");
   EXPECT_ERROR(read("a.csv", bins("SA(1.0),0.4,0.1,6,10,0.5,1.0\n")),
                "a.csv:3:26: mean '1.0': must be a probability below 1");
   EXPECT_ERROR(read("a.csv", bins("PGA,0.4,0.1,6,10,0.5,0.1\n")), "has no disaggregation of SA");
   EXPECT_ERROR(read("a.csv", bins("SA(1.0),0.4,0.1,6,10,0.5,0\n")), "no earthquake exceeds");
 }
 
+// A level of 0 has no logarithm, a target has one level.
+TEST_F(DisaggregationTest, LevelMagnitudeAndDistanceAreThoseOfEarthquakes) {
+  for (const char* level : {"0", "-0.4"})
+    EXPECT_ERROR(read("a.csv", bins(std::string("SA(1.0),") + level + ",0.1,6,10,0.5,0.1\n")),
+                 std::string("a.csv:3:9: iml '") + level + "': must be a finite number > 0");
+  EXPECT_ERROR(read("a.csv", bins("SA(1.0),0.4,0.1,-6.5,10,0.5,0.1\n")),
+               "a.csv:3:17: mag '-6.5': must be a finite number > 0");
+  EXPECT_ERROR(read("a.csv", bins("SA(1.0),0.4,0.1,6.5,-15,0.5,0.1\n")),
+               "a.csv:3:21: dist '-15': must be a finite number >= 0");
+  EXPECT_EQ(read("a.csv", bins("SA(1.0),0.4,0.1,6.5,0,0.5,0.1\n")).distance, 0);
+  EXPECT_ERROR(read("a.csv", bins("SA(1.0),0.4,0.1,6.5,15,0.5,0.1\n"
+                                  "SA(1.0),0.5,0.1,7.5,15,0.5,0.1\n")),
+               "a.csv:4:9: iml 0.5: must be 0.4, as of the other rows of SA(1) and poe 0.1");
+}
+
 /// Synthetic, in the form of the services of the USGS.
-std::string summary(const std::string& targets, const std::string& level) {
+std::string summary(const std::string& targets, const std::string& level,
+                    const std::string& im = "0.6", const std::string& m = "6.9",
+                    const std::string& r = "12.5") {
   return R"j("data": [{"component": "Grid", "summary": []}, {"component": "Total", "summary": [
     {"name": ")j" +
          targets + R"j(", "data": [
       {"name": "Return period", "value": 2475, "units": "yrs"},
       {"name": ")j" +
-         level + R"j(", "value": 0.6, "units": "g"}]},
+         level + R"j(", "value": )j" + im + R"j(, "units": "g"}]},
     {"name": "Mean (over all sources)", "data": [
-      {"name": "m", "value": 6.9}, {"name": "r", "value": 12.5, "units": "km"},
+      {"name": "m", "value": )j" +
+         m + R"j(}, {"name": "r", "value": )j" + r +
+         R"j(, "units": "km"},
       {"name": "ε₀", "value": 1.4, "units": "σ"}]},
     {"name": "Mode (largest m-r bin)", "data": [{"name": "m", "value": 9}]}]}])j";
 }
@@ -98,6 +117,17 @@ TEST_F(DisaggregationTest, MeansOfTheUsgsAreTaken) {
                                   summary("Recovered", "x") + "}]}"),
                "a.json:/response/0/data/1: has no summary 'aggregation targets'");
   EXPECT_ERROR(read("a.json", R"j({"response": {"hazardCurves": []}})j"), "is a hazard curve");
+  const auto bad = [](const std::string& im, const std::string& m, const std::string& r) {
+    return R"j({"response": {"disaggs": [{"imt": {"value": "SA1P0"}, )j" +
+           summary("Disaggregation targets", "SA ground motion", im, m, r) + "}]}}";
+  };
+  const std::string place = "a.json:/response/disaggs/0/data/1/summary/";
+  EXPECT_ERROR(read("a.json", bad("0", "6.9", "12.5")),
+               place + "0/data/1/value: value of 'SA ground motion' must be a finite number > 0");
+  EXPECT_ERROR(read("a.json", bad("0.6", "-6.5", "12.5")),
+               place + "1/data/0/value: value of 'm' must be a finite number > 0");
+  EXPECT_ERROR(read("a.json", bad("0.6", "6.5", "-15")),
+               place + "1/data/1/value: value of 'r' must be a finite number >= 0");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "studies/statistics/special.h"
 #include "tests/support/cart_prices.h"
 #include "tests/support/error_text.h"
+#include "tests/support/spreadsheet_text.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -214,6 +215,12 @@ TEST_F(HospitalTest, RanksByTheGainForTheCost) {
   EXPECT_NEAR(found.ranking[1].gain.value, before / 2 - braked / 2, error);
 }
 
+TEST_F(HospitalTest, ReadsCurvesOfASpreadsheet) {
+  const double loss = answer(hospital()).levels[1].loss.value;
+  folder_.write("curves.csv", spreadsheet_text(kCurves));
+  EXPECT_EQ(answer(hospital()).levels[1].loss.value, loss);
+}
+
 TEST_F(HospitalTest, FewOutcomesAreBoundedByThoseJustAbove) {
   folder_.write("curves.csv",
                 "item,floor,place,brakes,limit_state,measure,unit,runs,exceed,theta,theta_low,"
@@ -340,13 +347,15 @@ TEST_F(HospitalTest, ReadsItemsFromATable) {
   ASSERT_EQ(read.rooms[0].items.size(), 1);
   EXPECT_EQ(read.rooms[0].items[0].count, 5);
   EXPECT_EQ(read.rooms[0].items[0].securing.share, 0.4);
+  folder_.write("items.csv", spreadsheet_text(items));
+  EXPECT_EQ(with_table().rooms[0].items[0].securing.share, 0.4) << "a table of a spreadsheet";
   const double fails = 0.4 * falls(0.5, 0.5, 0.4) + 0.6 * falls(0.5);
   // The share is of each piece by itself; the mean over bays has no larger deviation than one.
   Hospital independent = read;
   independent.correlation = 0;
   const double bay = bay_works(fails);
   EXPECT_NEAR(answer(independent).levels[1].rooms[0].works.value, bay, bound(bay));
-  folder_.write("items.csv", "name,equipment,count\ncart,cart,many\n");
+  folder_.write("items.csv", "name,equipment,count\r\ncart,cart,many\r\n");
   EXPECT_THAT(error_text(with_table),
               HasSubstr("items.csv:2:11: count = 'many': must be a number"));
   folder_.write("items.csv", "name,equipment,brakes\ncart,cart,onn\n");

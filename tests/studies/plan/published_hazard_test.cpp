@@ -7,6 +7,7 @@
 #include "groundmotions/hazard/hazard_curve_file.h"
 #include "studies/plan/assessment_files.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/spreadsheet_text.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -34,6 +35,15 @@ class OpenQuakeHazardTest : public testing::Test {
 
   TempFolder folder_;
 };
+
+// OpenQuake ends its lines with CR LF; a spreadsheet puts a byte order mark in front.
+TEST_F(OpenQuakeHazardTest, LineEndsAndByteOrderMarksAreNoPartOfTheNumbers) {
+  const PublishedHazard hazard =
+      read_openquake_hazard(write(spreadsheet_text(curves(kPga, kSite))), {});
+  EXPECT_THAT(hazard.im, ElementsAre(0.1 * kStandardGravity, 0.4 * kStandardGravity));
+  EXPECT_ERROR(read_openquake_hazard(write("\r\n" + curves(kPga, "1,2,0,.5,x,.3,.2,.1\r\n")), {}),
+               "hazard.csv:4:10: 'x'");
+}
 
 // Certain and impossible levels have no rate; of two that are exceeded equally often the larger stays.
 TEST_F(OpenQuakeHazardTest, RatesAreThoseOfAPoissonProcess) {
