@@ -445,7 +445,7 @@ std::string floor_names(const Building& building) {
   if (!building.tables) return fmt::format("roof, or a number from 0 to {}", building.storeys);
   std::vector<std::string> names = building.tables->floors;
   std::erase(names, "roof");
-  return fmt::format("{} or roof", fmt::join(names, ", "));
+  return names.empty() ? "roof" : fmt::format("{} or roof", fmt::join(names, ", "));
 }
 
 int read_floor(Table& table, const Building& building) {

@@ -451,6 +451,22 @@ double largest_drift(const History& history) {
   return largest;
 }
 
+/// A floor that twists moves along both horizontals, also where its ground moves along one: the other
+/// becomes a component at rest, to be filled like that one.
+void complete_horizontals(Record& record) {
+  const bool h1 = record[Direction::kH1].has_value(), h2 = record[Direction::kH2].has_value();
+  if (h1 == h2) return;
+  const Direction missing = h1 ? Direction::kH2 : Direction::kH1;
+  const Component& given = *record[h1 ? Direction::kH1 : Direction::kH2];
+  Component& rest = record.components[static_cast<std::size_t>(missing)].emplace();
+  rest.name = name_of(missing);
+  rest.direction = missing;
+  rest.time_step = given.time_step;
+  rest.acceleration = Eigen::VectorXd::Zero(given.acceleration.size());
+  record.processing.push_back(
+      fmt::format("{}: not in the record; the ground rests along it", name_of(missing)));
+}
+
 std::string period_text(const ModalAxis& axis) {
   return axis.empty() ? "rigid" : fmt::format("{:.4g} s", 2 * pi / axis.front().omega);
 }
@@ -537,6 +553,7 @@ BuildingResponse building_response(const Record& ground, const Building& buildin
   if (building.tables) return response;
   record.processing.push_back(description(building, floor));
   if (floor == 0 && !building.isolation) return response;
+  if (!building.torsion.empty()) complete_horizontals(record);
 
   const auto [shortest, longest] = period_range(building);
   const double wanted = std::max(shortest, kShortestPeriod) / kSamplesInPeriod;

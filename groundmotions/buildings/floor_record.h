@@ -48,7 +48,8 @@ struct BuildingResponse {
 
 /// The absolute acceleration of one floor under a ground motion.
 ///
-/// Components that the ground lacks stay absent and count as rest. The floor's samples are as far
+/// Components that the ground lacks stay absent and count as rest; a floor that twists has both
+/// horizontals where the ground has one. The floor's samples are as far
 /// apart as the ground's, or finer by a whole factor: at least 20 in the shortest period of the
 /// building, down to periods of 1/33 s, which isolators that yield or slide always count as. After
 /// the ground's last sample the ground rests and the building vibrates on, until each component has

@@ -38,6 +38,9 @@ TwistingMatrices twisting_matrices(const Eigen::VectorXd& mass,
                                    const std::array<Eigen::MatrixXd, 2>& stiffness,
                                    const Eigen::MatrixXd& torsional);
 
+/// Farthest place of a floor from its axis of stiffness, along h1 or h2 [m]: the longest hospitals have 500 m.
+inline constexpr double kFarthestPlace = 500;
+
 /// One of its modes, driven by the ground along both axes: q'' + 2 zeta omega q' + omega^2 q = -Gamma . a.
 struct TorsionMode {
   double omega = 0;       ///< > 0 [rad/s]

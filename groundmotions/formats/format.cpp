@@ -81,6 +81,25 @@ void check_amplitudes(const Component& component) {
                       kLargestAcceleration, component.unit));
 }
 
+}  // namespace
+
+void require_readable(const Record& record) {
+  for (const auto& component : record.components) {
+    if (!component) continue;
+    require(is_time_step(component->time_step),
+            fmt::format("record '{}': cannot be written with a time step of {:g} s; {:g} to {:g} s "
+                        "can be read",
+                        record.name, component->time_step, kShortestTimeStep, kLongestTimeStep));
+    const double peak = component->acceleration.cwiseAbs().maxCoeff();
+    require(peak <= kLargestAcceleration,
+            fmt::format("record '{}': cannot be written with a peak of {:.4g} m/s2 ({:.3g} g); at "
+                        "most {:g} m/s2 (100 g) can be read",
+                        record.name, peak, peak / kStandardGravity, kLargestAcceleration));
+  }
+}
+
+namespace {
+
 void make_readable(Component& component) {
   component.name = readable(component.name);
   for (auto& [name, value] : component.header) {

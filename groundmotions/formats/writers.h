@@ -9,6 +9,10 @@
 
 namespace gurney::groundmotions {
 
+/// @throws Error where a file of the record could not be read again: for a time step or a peak beyond the
+///         limits of files
+void require_readable(const Record& record);
+
 /// A record in this format, accelerations in m/s2, with its azimuths and starts
 /// (columns_csv_facts.h).
 /// @param comments  lines without `#` and line ends

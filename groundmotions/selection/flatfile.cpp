@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "engine/base/csv_row.h"
@@ -121,12 +122,15 @@ Flatfile read_flatfile(const SourceFile& file, const Eigen::VectorXd& periods) {
                  fmt::format("{} cells, the header has {} columns", row.size(), columns.count));
       continue;
     }
+    std::map<std::size_t, double> values;  // by column, of which several periods need the same
     const auto value = [&](std::size_t column) {
+      const auto [at, is_new] = values.try_emplace(column, 0);
+      if (!is_new) return at->second;
       const auto sa = number(row[column].text);
       if (!sa)
         errors.add(line + 1, row[column].column,
                    fmt::format("Sa '{}': must be a number [g]", row[column].text));
-      return sa.value_or(0);
+      return at->second = sa.value_or(0);
     };
     Eigen::VectorXd spectrum(periods.size());
     for (Eigen::Index k = 0; k < periods.size(); ++k) {

@@ -13,6 +13,7 @@
 #include "engine/base/files.h"
 #include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
+#include "engine/config/range.h"
 #include "groundmotions/formats/source_file.h"
 #include "groundmotions/formats/words.h"
 #include "groundmotions/record/acceleration_unit.h"
@@ -24,6 +25,10 @@ namespace {
 const std::vector<std::string> kColumns = {"name",    "file",           "channels", "h1",
                                            "h2",      "vertical",       "unit",     "time_step_s",
                                            "columns", "count_m_per_s2", "scale"};
+
+using config::Range;
+
+const Range kFactors = Range::within(0, 1e6).open_below();
 
 bool is_content(std::string_view line) {
   line = trimmed(line);
@@ -104,13 +109,14 @@ class ListReader {
                                 kAccelerationUnits));
       record.options.unit = cell.text;
     } else if (title == "time_step_s") {
-      record.options.time_step = positive(cell, title, kLongestTimeStep);
+      record.options.time_step =
+          within(cell, title, Range::within(kShortestTimeStep, kLongestTimeStep));
     } else if (title == "columns") {
       record.options.columns = cell.text;
     } else if (title == "count_m_per_s2") {
-      record.options.si_per_count = positive(cell, title, 1e6);
+      record.options.si_per_count = within(cell, title, kFactors);
     } else if (title == "scale") {
-      record.scale = positive(cell, title, 1e6);
+      record.scale = within(cell, title, kFactors);
     } else if (title != "channels" && std::ranges::find(kColumns, title) != kColumns.end()) {
       add_file(title, cell, record);
     }
@@ -144,6 +150,7 @@ class ListReader {
 
   /// The column 'file' may hold several, apart by semicolons.
   void add_file(const std::string& title, const CsvCell& cell, SuiteRecord& record) {
+    std::error_code ignored;
     std::istringstream names(cell.text);
     for (std::string name; std::getline(names, name, ';');) {
       const std::string plain(trimmed(name));
@@ -151,17 +158,20 @@ class ListReader {
       for (const Direction direction : kDirections)
         if (title == name_of(direction)) file.direction = direction;
       if (!is_file(file.path))
-        errors_.add(line_ + 1, cell.column, fmt::format("'{}': no such file", plain));
+        errors_.add(line_ + 1, cell.column,
+                    fmt::format("'{}': {}", plain,
+                                std::filesystem::is_directory(file.path, ignored)
+                                    ? "is a folder, a file is needed"
+                                    : "no such file"));
       record.files.push_back(std::move(file));
     }
   }
 
-  double positive(const CsvCell& cell, const std::string& title, double most) {
+  double within(const CsvCell& cell, const std::string& title, const Range& range) {
     const auto value = number(cell.text);
-    if (!value || !(*value > 0 && *value <= most))
-      errors_.add(
-          line_ + 1, cell.column,
-          fmt::format("{} must be a number in (0, {:g}], got '{}'", title, most, cell.text));
+    if (!value || !range.contains(*value))
+      errors_.add(line_ + 1, cell.column,
+                  fmt::format("{} '{}': must be {}", title, cell.text, range.text()));
     return value.value_or(1);
   }
 

@@ -166,7 +166,9 @@ std::optional<BuildingRequest> read_building_request(Table& excitation) {
   else
     found->has("floor");
   if (found->has("position_m")) {
-    const std::vector<double> place = found->numbers("position_m", Range::within(-1000, 1000), 2);
+    constexpr double kFarthest = groundmotions::kFarthestPlace;
+    const std::vector<double> place =
+        found->numbers("position_m", Range::within(-kFarthest, kFarthest), 2);
     request.place = {place[0], place[1]};
   }
   return request;

@@ -212,6 +212,25 @@ TEST(Torsion, WithoutEccentricityItIsTheBuildingThatDoesNotTwist) {
   }
 }
 
+// A record with one horizontal is one whose other horizontal is zero.
+TEST(Torsion, AGroundAlongOneAxisMovesTheFloorAlongBoth) {
+  const Building building = building_of(three_storeys(1));
+  for (const Direction missing : {Direction::kH1, Direction::kH2}) {
+    Record zero = shaken();
+    auto& component = zero.components[static_cast<std::size_t>(missing)];
+    component->acceleration.setZero();
+    Record absent = zero;
+    absent.components[static_cast<std::size_t>(missing)].reset();
+    const Record expected = floor_record(zero, building, 3, {6, 2}),
+                 found = floor_record(absent, building, 3, {6, 2});
+    ASSERT_TRUE(found[missing]);
+    EXPECT_GT(found[missing]->acceleration.cwiseAbs().maxCoeff(), 0);
+    EXPECT_EQ(found[missing]->acceleration, expected[missing]->acceleration);
+    EXPECT_EQ(found[missing]->time_step, expected[missing]->time_step);
+    EXPECT_FALSE(floor_record(absent, building, 0)[missing]) << "the base moves as the ground";
+  }
+}
+
 // Mirrored about the plane of h1, the building twists the other way round.
 TEST(Torsion, AMirroredBuildingMovesInMirrorImage) {
   TorsionalBuilding b = three_storeys(1);

@@ -88,6 +88,8 @@ TEST(PlainFacts, ACountThatDiffersIsAWarning) {
               testing::Contains("line 1 states 4 samples, but the file holds 3"));
   EXPECT_THAT(read_one("No. of points = 3\n1\n-2\n3\n", options).warnings,
               testing::Not(testing::Contains(HasSubstr("states"))));
+  EXPECT_EQ(error("npts: 4\nUnits: g\ndt = 0.01\n"),
+            "f:1:1: NPTS states 4 samples, but the file holds 3");
 }
 
 TEST(PlainFacts, LinesMustAgree) {

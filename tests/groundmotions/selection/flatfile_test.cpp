@@ -6,6 +6,7 @@
 
 #include "engine/base/units.h"
 #include "groundmotions/scaling/target_spectrum.h"
+#include "tests/support/error_text.h"
 #include "tests/support/expect_error.h"
 
 namespace gurney::groundmotions {
@@ -50,6 +51,12 @@ TEST(Flatfile, ReportsAllErrors) {
   const std::string bad = kHeader + "1,A,B,x,y,z,0.1,0.1,1,4,one\n2,A\n";
   EXPECT_ERROR(read_flatfile(SourceFile("f.csv", bad), kPeriods),
                "f.csv:2:25: Sa 'one': must be a number [g]");
+  // Three periods need that cell.
+  EXPECT_EQ(error_text([&] {
+              read_flatfile(SourceFile("f.csv", bad), Eigen::VectorXd{{0.9, 1.1, 1.3}});
+            }),
+            "f.csv:2:25: Sa 'one': must be a number [g]\n"
+            "f.csv:3:1: 2 cells, the header has 11 columns");
   EXPECT_ERROR(read_flatfile(SourceFile("f.csv", bad), kPeriods),
                "f.csv:3:1: 2 cells, the header has 11 columns");
   EXPECT_ERROR(read_flatfile(SourceFile("f.csv", "Record Sequence Number,T0.1S\n"), kPeriods),

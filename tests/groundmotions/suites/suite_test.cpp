@@ -174,9 +174,19 @@ TEST(ListSuite, ReportsEveryError) {
             fmt::format("{0}:1:11: unknown column 'units'; did you mean 'unit'?\n"
                         "{0}:3:1: the name 'a' comes twice\n"
                         "{0}:3:4: 'none.txt': no such file\n"
-                        "{0}:3:18: scale must be a number in (0, 1e+06], got '-1'\n"
+                        "{0}:3:18: scale '-1': must be a finite number > 0 and <= 1000000\n"
                         "{0}:4:1: 2 cells, the header has 4 columns\n"
                         "{0}:5:1: a record needs a name",
+                        list));
+}
+
+TEST(ListSuite, RefusesFoldersAndTimeStepsThatNoRecordHas) {
+  const TempFolder folder;
+  folder.write("e.txt", "1\n-1\n2\n");
+  const auto list = folder.write("list.csv", "name, h1, time_step_s\na, ., 0.01\nb, e.txt, 1e-6\n");
+  EXPECT_EQ(error_text([&] { read_suite({list}); }),
+            fmt::format("{0}:2:4: '.': is a folder, a file is needed\n"
+                        "{0}:3:11: time_step_s '1e-6': must be a finite number >= 1e-05 and <= 1",
                         list));
 }
 

@@ -26,6 +26,10 @@ synthetic.kind = "ac156"
   EXPECT_EQ(twists.record->building->place, Vector2(4, -2));
   EXPECT_THAT(
       error_text(
+          [&] { read("file = \"twisting_hospital\"\nfloor = 3\nposition_m = [4000, -2000]\n"); }),
+      testing::HasSubstr("position_m[0] = 4000: must be a finite number >= -500 and <= 500"));
+  EXPECT_THAT(
+      error_text(
           [&] { read("file = \"lead_rubber_hospital\"\nfloor = 3\nposition_m = [4, -2]\n"); }),
       testing::HasSubstr("excitation.building.position_m: has no effect on a floor that does "
                          "not twist: the building has no torsion"));
