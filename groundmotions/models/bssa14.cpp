@@ -107,6 +107,11 @@ void check(double period) {
 
 }  // namespace
 
+const std::vector<std::string>& faulting_names() {
+  static const std::vector<std::string> names = {"unspecified", "strike-slip", "normal", "reverse"};
+  return names;
+}
+
 Prediction bssa14_sa(const Scenario& scenario, double period) {
   check(scenario);
   const auto first = table().begin() + 2, last = table().end() - 1;

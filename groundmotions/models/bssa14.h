@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace gurney::groundmotions {
 
 enum class Faulting { kUnspecified, kStrikeSlip, kNormal, kReverse };
+const std::vector<std::string>& faulting_names();  ///< in this order
 
 /// An earthquake as seen from a site.
 struct Scenario {

@@ -113,12 +113,13 @@ TargetSpectrum read_ac156(Table& in) {
   return ac156_spectrum(sds, height, in.boolean("vertical", false));
 }
 
-TargetSpectrum read_table(Table& in) {
-  const std::filesystem::path folder = std::filesystem::path(in.document().path()).parent_path();
-  return table_spectrum(SourceFile(folder / in.text("file")));
-}
+TargetSpectrum read_table(Table& in) { return table_spectrum(SourceFile(target_file(in))); }
 
 }  // namespace
+
+std::filesystem::path target_file(Table& in) {
+  return std::filesystem::path(in.document().path()).parent_path() / in.text("file");
+}
 
 double TargetSpectrum::at(double period) const {
   require(period >= shortest_period && period <= longest_period,
@@ -207,9 +208,17 @@ std::optional<TargetSpectrum> read_target(Table& in, const std::vector<std::stri
     TargetSpectrum target = kReaders[kind](in);
     if (in.document().errors() == errors) return target;
   } catch (const Error& error) {
-    if (in.document().errors() == errors) in.note("target", std::string(": ") + error.what());
+    if (in.document().errors() == errors) note_target(in, error);
   }
   return {};
+}
+
+void note_target(Table& in, const Error& error) {
+  const std::string what = error.what();
+  if (in.has("file") && what.starts_with(target_file(in).string()))
+    in.document().note(error);
+  else
+    in.note("target", ": " + what);
 }
 
 }  // namespace gurney::groundmotions

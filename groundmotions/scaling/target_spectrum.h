@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/base/error.h"
 #include "engine/config/table.h"
 #include "groundmotions/formats/source_file.h"
 
@@ -86,5 +88,11 @@ TargetSpectrum openquake_spectrum(const SourceFile& file, std::optional<double> 
 /// @param others  further targets that the caller knows, named in errors
 std::optional<TargetSpectrum> read_target(config::Table& table,
                                           const std::vector<std::string>& others = {});
+
+/// The file that a target names, from the folder of the table's document.
+std::filesystem::path target_file(config::Table& table);
+
+/// Notes an error of that file with its own place, any other at the target.
+void note_target(config::Table& table, const Error& error);
 
 }  // namespace gurney::groundmotions

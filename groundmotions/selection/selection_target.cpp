@@ -18,8 +18,6 @@ using config::Range;
 using config::Table;
 using Eigen::Index;
 
-const std::vector<std::string> kFaulting = {"unspecified", "strike-slip", "normal", "reverse"};
-
 /// Periods with T* among them, and where it stands.
 struct Periods {
   Eigen::VectorXd values;
@@ -63,10 +61,11 @@ NamedScenario read_scenario(Table& in, const Disaggregation* of = nullptr) {
   s.magnitude = of ? of->magnitude : in.number("magnitude", Range::within(kSmallest, kLargest));
   s.distance = of ? of->distance : in.number("distance_km", Range::within(0, kFarthest));
   s.vs30 = in.number("vs30_m_per_s", Range::within(150, 1500), s.vs30);
-  const std::size_t faulting = in.choice("faulting", kFaulting, 0);
+  const std::size_t faulting = in.choice("faulting", faulting_names(), 0);
   s.faulting = static_cast<Faulting>(faulting);
-  return {s, fmt::format("Boore et al. (2014), M {:g}, R_JB {:g} km, V_S30 {:g} m/s{}", s.magnitude,
-                         s.distance, s.vs30, faulting == 0 ? "" : ", " + kFaulting[faulting])};
+  return {s,
+          fmt::format("Boore et al. (2014), M {:g}, R_JB {:g} km, V_S30 {:g} m/s{}", s.magnitude,
+                      s.distance, s.vs30, faulting == 0 ? "" : ", " + faulting_names()[faulting])};
 }
 
 SelectionTarget read_bssa14(Table& in, const Eigen::VectorXd& periods) {
@@ -86,11 +85,6 @@ SelectionTarget given_acceleration(const NamedScenario& of, const Periods& perio
           conditioned(all, at, ln_sa), at};
 }
 
-std::string path_of(Table& in) {
-  const auto folder = std::filesystem::path(in.document().path()).parent_path();
-  return (folder / in.text("file")).string();
-}
-
 SelectionTarget read_conditional(Table& in, const Eigen::VectorXd& range) {
   const NamedScenario of = read_scenario(in);
   const auto [periods, at] = read_periods(in, range, true);
@@ -108,7 +102,7 @@ SelectionTarget read_disaggregated(Table& in, const Eigen::VectorXd& range) {
   DisaggregationRequest request;
   if (in.has("period_s")) request.period = in.number("period_s", range_of(range));
   if (in.has("poe")) request.poe = in.number("poe", Range::within(0, 1).open_below().open_above());
-  const std::string file = path_of(in);
+  const std::string file = target_file(in).string();
   for (const char* key : {"vs30_m_per_s", "faulting"})
     in.has(key);  // known, even if the file is wrong
   const Disaggregation found = read_disaggregation(file, request);
@@ -145,7 +139,7 @@ SelectionTarget selection_of(Table& in, const TargetSpectrum& target,
 SelectionTarget read_openquake(Table& in, const Eigen::VectorXd& periods) {
   std::optional<double> poe;
   if (in.has("poe")) poe = in.number("poe", Range::within(0, 1).open_below().open_above());
-  return selection_of(in, openquake_spectrum(SourceFile(path_of(in)), poe), periods);
+  return selection_of(in, openquake_spectrum(SourceFile(target_file(in)), poe), periods);
 }
 
 SelectionTarget read_one(Table& in, const Eigen::VectorXd& periods) {
@@ -166,7 +160,7 @@ std::optional<SelectionTarget> read_selection_target(Table& in, const Eigen::Vec
     SelectionTarget target = read_one(in, periods);
     if (in.document().errors() == errors) return target;
   } catch (const Error& error) {
-    if (in.document().errors() == errors) in.note("target", std::string(": ") + error.what());
+    if (in.document().errors() == errors) note_target(in, error);
   }
   return {};
 }

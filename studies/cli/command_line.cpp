@@ -150,6 +150,23 @@ std::string unexpected(const CLI::App& app, const std::vector<std::string>& word
   return text + "Run with --help for more information.\n";
 }
 
+/// Prints the help that was asked for, or what is wrong. @return the exit code
+int explained(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream output, errors;
+  const int code = app.exit(error, output, errors);
+  fmt::print("{}", output.str());
+  print_error("{}", errors.str());
+  return code == 0 ? kDone : kBadUsage;
+}
+
+/// An option such as `--seed=` with nothing behind it, for which CLI11 takes the next word; empty if none.
+std::string option_without_value(const std::vector<std::string>& words) {
+  const auto at = std::ranges::find_if(words, [](const std::string& word) {
+    return word.starts_with("--") && word.find('=') + 1 == word.size();
+  });
+  return at == words.end() ? std::string() : at->substr(0, at->size() - 1);
+}
+
 int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   const bool wants_help = !words.empty() && words[0] == "help";
@@ -166,21 +183,27 @@ int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, c
     fmt::print("{}", command_at(app, words).help());
     return kDone;
   }
+  if (const std::string option = option_without_value(words); !option.empty()) {
+    print_error("{}: must not be empty\n", option);
+    return kBadUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {
     print_error("{}", unexpected(app, words));
     return kBadUsage;
   } catch (const CLI::ParseError& error) {
-    std::ostringstream output, errors;
-    const int code = app.exit(error, output, errors);
-    fmt::print("{}", output.str());
-    print_error("{}", errors.str());
-    return code == 0 ? kDone : kBadUsage;
+    return explained(app, error);
   }
-  if (!app.get_subcommands().empty()) return with_json_errors(wants_json(app), action);
-  print_error("a command is needed\n\n{}", app.help());
-  return kBadUsage;
+  if (app.get_subcommands().empty()) {
+    print_error("a command is needed\n\n{}", app.help());
+    return kBadUsage;
+  }
+  try {
+    return with_json_errors(wants_json(app), action);
+  } catch (const CLI::ParseError& error) {  // options that do not go together
+    return explained(app, error);
+  }
 }
 
 }  // namespace

@@ -11,6 +11,12 @@ CLI::Option* Options::named(CLI::Option* option, const std::string& names, bool 
                                                       : "NAME");
 }
 
+CLI::Option* Options::not_empty(CLI::Option* option) {
+  if (option->get_positional()) return option;
+  return option->check(std::function<std::string(const std::string&)>(
+      [](const std::string& text) { return text.empty() ? "must not be empty" : ""; }));
+}
+
 CLI::App& Commands::begin(const CommandText& text) {
   std::string footer = "Examples:";
   std::istringstream examples(text.examples);

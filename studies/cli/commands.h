@@ -28,7 +28,8 @@ class Options {
     if constexpr (std::is_same_v<T, bool>)
       return command_.add_flag(names, value, help);
     else
-      return named(finite<T>(without_sign<T>(command_.add_option(only_names(names), value, help))),
+      return named(not_empty(finite<T>(
+                       without_sign<T>(command_.add_option(only_names(names), value, help)))),
                    names, is_number(value));
   }
 
@@ -38,7 +39,7 @@ class Options {
                        const std::string& help) {
     CLI::Option* const option =
         command_.add_option_function<T>(only_names(names), std::move(take), help);
-    return named(option, names, std::is_arithmetic_v<T>);
+    return named(not_empty(option), names, std::is_arithmetic_v<T>);
   }
 
   template <class T>
@@ -63,6 +64,13 @@ class Options {
     };
   }
 
+  /// The same: 0 or above.
+  static std::function<std::string(const std::string&)> not_negative() {
+    return [](const std::string& text) {
+      return number(text).value_or(-1) >= 0 ? std::string() : text + ": must be a number >= 0";
+    };
+  }
+
   const CLI::App& program() const { return *command_.get_parent(); }
 
  private:
@@ -70,6 +78,8 @@ class Options {
     return names.substr(0, names.find(' '));
   }
   static CLI::Option* named(CLI::Option* option, const std::string& names, bool number);
+  /// Refuses an empty value of an option, which CLI11 takes for 0 or for an option that is not given.
+  static CLI::Option* not_empty(CLI::Option* option);
   /// Refuses `-1` for an unsigned number, which CLI11 takes for 2^64 - 1.
   template <class T>
   static CLI::Option* without_sign(CLI::Option* option) {

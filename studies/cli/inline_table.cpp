@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <sstream>
+#include <string_view>
 
 #include "engine/base/error.h"
 #include "engine/base/number_text.h"
@@ -39,19 +41,44 @@ std::string option_error(const std::string& option, const std::string& text,
   std::istringstream lines(message);
   std::string result;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(option + ":")) line.erase(0, line.find(": ") + 2);
+    if (!result.empty()) result += '\n';
+    if (!line.starts_with(option + ":")) {
+      result += line;
+      continue;
+    }
+    line.erase(0, line.find(": ") + 2);
     if (line.starts_with(path)) line.erase(0, path.size());
     if (line.starts_with('.')) line.erase(0, 1);
-    result += fmt::format("{}{} \"{}\": {}", result.empty() ? "" : "\n", option, text, line);
+    result += fmt::format("{} \"{}\": {}", option, text, line);
   }
   return result;
 }
 
 std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
+  std::vector<std::string> words(1);
+  int depth = 0;
+  bool quoted = false;
+  for (const char c : text) {
+    if (std::isspace(static_cast<unsigned char>(c)) && depth <= 0 && !quoted) {
+      if (!words.back().empty()) words.emplace_back();
+      continue;
+    }
+    if (c == '"') quoted = !quoted;
+    if (!quoted && std::string_view("([{").find(c) != std::string_view::npos) ++depth;
+    if (!quoted && std::string_view(")]}").find(c) != std::string_view::npos) --depth;
+    words.back() += c;
+  }
+  if (words.back().empty()) words.pop_back();
   return words;
+}
+
+std::string option_table(const std::string& option, const std::string& text,
+                         const std::string& first_key) {
+  try {
+    return inline_table(first_key, words_of(text));
+  } catch (const Error& error) {
+    throw Error(fmt::format("{} \"{}\": {}", option, text, error.what()));
+  }
 }
 
 }  // namespace gurney::cli

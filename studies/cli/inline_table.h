@@ -18,13 +18,18 @@ std::string inline_table(const std::string& first_key, const std::vector<std::st
 
 /// Errors of a document made of an option's text, in terms of the option as it was typed:
 /// `--step:1:49: processing[0].corner_hz = -1: must be ...` becomes
-/// `--step "high_pass corner_hz=-1": corner_hz = -1: must be ...`.
+/// `--step "high_pass corner_hz=-1": corner_hz = -1: must be ...`. Those of a file that it names stay as
+/// they are, with their place.
 /// @param path  of the table in the document, such as "processing[0]"
 std::string option_error(const std::string& option, const std::string& text,
                          const std::string& path, const std::string& message);
 
-/// Cut at blanks.
+/// Cut at blanks that are not between brackets or double quotes.
 std::vector<std::string> words_of(const std::string& text);
+
+/// The value of an option as an inline table. @throws Error in terms of the option as it was typed
+std::string option_table(const std::string& option, const std::string& text,
+                         const std::string& first_key);
 
 /// The value of an option such as --target "asce7 sds_g=1 sd1_g=0.6", read as a document.
 /// @param path   of its table in the document, such as "spectrum" or "processing[0]"
@@ -34,8 +39,8 @@ std::vector<std::string> words_of(const std::string& text);
 template <class Read>
 auto read_option(const std::string& option, const std::string& text, const std::string& path,
                  const std::string& first, const Read& read) {
+  const std::string table = option_table(option, text, first);
   try {
-    const std::string table = inline_table(first, words_of(text));
     const std::size_t list = path.find("[0]");
     config::Document document(list == std::string::npos
                                   ? path + " = " + table + "\n"

@@ -75,6 +75,7 @@ std::vector<std::string> record_comments(const groundmotions::Record& record) {
 }
 
 std::string record_csv(const groundmotions::Record& record) {
+  groundmotions::require_readable(record);
   return groundmotions::columns_csv_text(record, record_comments(record), kDigits);
 }
 
@@ -82,6 +83,11 @@ std::string file_name(std::string record_name) {
   std::ranges::replace_if(
       record_name, [](char c) { return c == '/' || c == '\\'; }, '_');
   return record_name;
+}
+
+void check_csv_output(const std::string& path, bool overwrite) {
+  require(fs::path(path).extension() == ".csv", path + ": must be a file that ends in .csv");
+  study::OutputFiles(overwrite).check(path);
 }
 
 void refuse_input_as_output(const std::string& path, const groundmotions::Record& record) {

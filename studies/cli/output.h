@@ -39,11 +39,14 @@ class NewFolder {
 /// Source and processing of a record, as comments of a CSV file.
 std::vector<std::string> record_comments(const groundmotions::Record& record);
 
-/// The text of a record in Gurney's CSV, with its comments.
+/// The text of a record in Gurney's CSV, with its comments. @throws Error where it could not be read again
 std::string record_csv(const groundmotions::Record& record);
 
 /// The name of a record, without what cannot stand in the name of a file.
 std::string file_name(std::string record_name);
+
+/// To be called before anything is computed. @throws Error unless a table can be written there, in .csv
+void check_csv_output(const std::string& path, bool overwrite);
 
 /// @throws Error if `path` is a file that the record was read from.
 void refuse_input_as_output(const std::string& path, const groundmotions::Record& record);

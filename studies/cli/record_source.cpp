@@ -11,6 +11,7 @@
 #include "engine/base/printable.h"
 #include "engine/config/document.h"
 #include "engine/config/table.h"
+#include "groundmotions/measures/response_spectrum.h"
 #include "groundmotions/processing/pipeline.h"
 #include "groundmotions/record/acceleration_unit.h"
 #include "studies/cli/inline_table.h"
@@ -60,9 +61,23 @@ void add_source_options(Options& add, RecordSource& source) {
       "Acceleration of one count in files of raw counts [m/s2]");
   add("--columns", source.options.columns,
       "Columns of plain tables: samples, or names from time, h1, h2, vertical, skip");
-  add("--step STEP", source.steps,
-      "A processing step, such as --step \"high_pass corner_hz=0.1\"; several are "
-      "applied in their order (docs/formats/processing.md)");
+  add.single(
+      "--step STEP", source.steps,
+      "A processing step, such as --step \"high_pass corner_hz=0.1\"; repeatable, applied in "
+      "their order (docs/formats/processing.md)");
+}
+
+void ShortPeriods::take(const groundmotions::Record& record) {
+  ++records_;
+  if (groundmotions::short_period_warning(record.time_step(), shortest_).empty()) return;
+  ++coarse_;
+  time_step_ = std::max(time_step_, record.time_step());
+}
+
+std::string ShortPeriods::warning() const {
+  if (coarse_ == 0) return {};
+  const std::string what = groundmotions::short_period_warning(time_step_, shortest_);
+  return records_ == 1 ? what : fmt::format("{} of {} records: {}", coarse_, records_, what);
 }
 
 int for_each_record(const RecordSource& source, std::vector<groundmotions::Refusal>* refused,

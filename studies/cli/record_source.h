@@ -19,6 +19,18 @@ struct RecordSource {
 
 void add_source_options(Options& add, RecordSource& source);
 
+/// Collects records whose samples are too far apart for the shortest period of a command's spectra.
+class ShortPeriods {
+ public:
+  explicit ShortPeriods(double shortest) : shortest_(shortest) {}  ///< [s]; 0: no spectra
+  void take(const groundmotions::Record& record);
+  std::string warning() const;  ///< one for all records; empty: their samples are close enough
+
+ private:
+  double shortest_, time_step_ = 0;
+  std::size_t records_ = 0, coarse_ = 0;
+};
+
 /// Reads the records one after the other, processes them and hands each to `use`. Progress goes to
 /// stderr where that is a terminal. Records that cannot be read are reported on stderr, and the
 /// others go on.

@@ -14,6 +14,7 @@
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/inline_table.h"
+#include "studies/cli/json_errors.h"
 #include "studies/cli/output.h"
 #include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
@@ -41,10 +42,30 @@ std::vector<groundmotions::Measure> measures_of(const InfoOptions& options) {
   return measures;
 }
 
+findings::Value value_of(const nlohmann::ordered_json& json) {
+  if (json.is_number()) return json.get<int>();
+  return json.is_string() ? findings::Value(json.get<std::string>()) : findings::Value();
+}
+
+/// A file that was left out, and its errors with their places.
+findings::Section left_out(const groundmotions::Refusal& refusal) {
+  findings::Section of("refused[]");
+  of.json("file", refusal.file).json("reason", refusal.reason);
+  findings::Table errors{
+      "errors", "", {{"file", ""}, {"line", ""}, {"column", ""}, {"key", ""}, {"message", ""}}};
+  for (const auto& error : json_errors(groundmotions::text_of(refusal))) {
+    std::vector<findings::Cell> row;
+    for (const findings::Column& column : errors.columns)
+      row.emplace_back(value_of(error.at(column.key)));
+    errors.add(std::move(row));
+  }
+  return of.add(std::move(errors));
+}
+
 int print_json(const InfoOptions& options) {
   const auto measures = measures_of(options);
   findings::Section known;
-  known.json("records", findings::Texts{});
+  known.json("records", findings::Texts{}).json("refused", findings::Texts{});
   std::vector<groundmotions::Refusal> refused;
   const int code = for_each_record(
       options.source, &refused,
@@ -53,9 +74,8 @@ int print_json(const InfoOptions& options) {
         of.key = "records[]";
         known.add(std::move(of));
       });
-  findings::Table left_out{"refused", "", {{"file", ""}, {"reason", ""}}};
-  for (const groundmotions::Refusal& each : refused) left_out.add({each.file, each.reason});
-  print_findings(known.add(std::move(left_out)), true);
+  for (const groundmotions::Refusal& each : refused) known.add(left_out(each));
+  print_findings(known, true);
   return code;
 }
 
@@ -105,24 +125,67 @@ struct RecordPlotOptions {
   bool overwrite = false;
 };
 
+/// The files of a command for its records, each under a name of its own: all complete, or none.
+class FilesOfRecords {
+ public:
+  explicit FilesOfRecords(bool overwrite) : files_(overwrite) {}
+
+  bool none() const { return paths_.empty(); }
+
+  /// @throws Error for a name that another has, and as OutputFiles
+  void stage(const fs::path& path, const std::string& bytes, const groundmotions::Record& of) {
+    require(std::ranges::find(paths_, path) == paths_.end(),
+            path.string() + ": two records have this name");
+    refuse_input_as_output(path.string(), of);
+    files_.check(path.string());
+    files_.stage(path.string(), bytes);
+    paths_.push_back(path);
+  }
+
+  void commit() {
+    const SignalsHeld until_written;
+    files_.commit();
+    for (const fs::path& path : paths_) fmt::print("{}\n", printable(path.string()));
+  }
+
+ private:
+  study::OutputFiles files_;
+  std::vector<fs::path> paths_;
+};
+
+void print_warning(const std::string& warning) {
+  if (!warning.empty()) print_error("warning: {}\n", warning);
+}
+
 int plot_records(const RecordPlotOptions& options) {
   const fs::path output = options.output;
   const bool one_file = names_a_file(output);
-  FigureFile file{options.figures, options.output, options.overwrite};
+  const FigureFile file{options.figures, options.output, options.overwrite};
+  if (one_file && !options.figures.format.empty())
+    throw CLI::ValidationError("--figure-format",
+                               "has no effect on one figure, whose format is that of its name");
   if (one_file) file.check();
   options.figures.check();
   std::optional<NewFolder> folder;
   if (!one_file) folder.emplace(output);
-  std::size_t count = 0;
-  return for_each_record(
+  FilesOfRecords files(options.overwrite);
+  ShortPeriods periods(figures::kShortestPeriod);
+  const int code = for_each_record(
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
-        require(!one_file || count++ == 0,
+        require(!one_file || files.none(),
                 options.output + ": one figure for several records; name a folder with -o");
-        if (!one_file)
-          file.path = (output / (file_name(record.name) + options.figures.suffix())).string();
-        file.write([&] { return figures::record_figure(record); }, false);
+        periods.take(record);
+        const std::string svg = figures::record_figure(record);
+        if (one_file)
+          files.stage(output, file.bytes(svg), record);
+        else
+          files.stage(output / (file_name(record.name) + options.figures.suffix()),
+                      options.figures.bytes(svg), record);
       });
+  print_warning(periods.warning());
+  files.commit();
+  return code;
 }
 
 struct MakeOptions {
@@ -149,9 +212,11 @@ int list_kinds(const std::string& only) {
   return 0;
 }
 
-int list_kinds_as_json() {
+int list_kinds_as_json(const std::string& only) {
+  if (!only.empty()) groundmotions::synthetic_request(only, {});  // says which kinds there are
   nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
   for (const groundmotions::SyntheticKind& kind : groundmotions::synthetic_kinds()) {
+    if (!only.empty() && kind.name != only) continue;
     nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
     for (const groundmotions::SyntheticParameter& parameter : kind.parameters)
       parameters.push_back({{"key", parameter.key},
@@ -168,10 +233,11 @@ int list_kinds_as_json() {
 }
 
 int make(const MakeOptions& options) {
-  if (options.list) return options.json ? list_kinds_as_json() : list_kinds(options.kind);
-  if (options.json) throw CLI::RequiresError("--json", "--list");
+  if (options.list)
+    return options.json ? list_kinds_as_json(options.kind) : list_kinds(options.kind);
   if (options.kind.empty()) throw CLI::RequiredError("KIND (`gurney records make --list`)");
   if (options.output.empty()) throw CLI::RequiredError("-o FILE.csv");
+  check_csv_output(options.output, options.overwrite);
   const groundmotions::Record record =
       groundmotions::make_record(groundmotions::synthetic_request(options.kind, options.settings));
   for (const std::string& warning : record.warnings) print_error("warning: {}\n", warning);
@@ -202,6 +268,7 @@ std::string at2_name(const groundmotions::Component& component,
 std::vector<Target> targets(const groundmotions::Record& record, const fs::path& stem,
                             const std::string& format) {
   if (format == "csv") return {{stem.string() + ".csv", record_csv(record)}};
+  groundmotions::require_readable(record);
   std::vector<Target> files;
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!record[direction]) continue;
@@ -224,6 +291,12 @@ study::ScaleTo scale_to_of(const std::string& text) {
                      });
 }
 
+/// Of the spectrum that a measure is of [s]; 0: of none.
+double shortest_period(const groundmotions::Measure& measure) {
+  const Eigen::VectorXd periods = groundmotions::spectral_periods(measure);
+  return periods.size() == 0 ? 0 : periods[0];
+}
+
 int convert(const ConvertOptions& options) {
   const fs::path output = options.output;
   const bool one_file = names_a_file(output);
@@ -235,28 +308,23 @@ int convert(const ConvertOptions& options) {
   if (!options.scale_to.empty()) scale_to = scale_to_of(options.scale_to);
   std::optional<NewFolder> folder;
   if (!one_file) folder.emplace(output);
-  study::OutputFiles files(options.overwrite);
-  std::vector<fs::path> written;
+  if (one_file) study::OutputFiles(options.overwrite).check(options.output);
+  FilesOfRecords files(options.overwrite);
+  ShortPeriods periods(scale_to ? shortest_period(scale_to->measure) : 0);
   const int code = for_each_record(
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord&, const groundmotions::Record& read) {
         const groundmotions::Record record = scale_to ? study::scaled_to(read, *scale_to) : read;
-        require(!one_file || written.empty(),
+        periods.take(record);
+        require(!one_file || files.none(),
                 options.output + ": one file for several records; name a folder with -o");
         fs::path stem =
             one_file ? fs::path(output).replace_extension() : output / file_name(record.name);
-        for (const Target& target : targets(record, stem, options.format)) {
-          require(std::ranges::find(written, target.path) == written.end(),
-                  fmt::format("{}: two records have this name", target.path.string()));
-          refuse_input_as_output(target.path.string(), record);
-          files.check(target.path.string());
-          files.stage(target.path.string(), target.text);
-          written.push_back(target.path);
-        }
+        for (const Target& target : targets(record, stem, options.format))
+          files.stage(target.path, target.text, record);
       });
-  const SignalsHeld until_written;
+  print_warning(periods.warning());
   files.commit();
-  for (const fs::path& path : written) fmt::print("{}\n", path.string());
   return code;
 }
 
@@ -277,9 +345,9 @@ void add_records_info(Commands& records) {
                             "gurney records info groundmotions/records/synthetic_3c.csv"},
                            info, [](Options& add, InfoOptions& options) {
                              declare(add, options);
-                             add("--measure MEASURE", options.measures,
-                                 "Intensity measures instead of the common ones, such as PGV or "
-                                 "\"Sa(0.3)\"; repeatable");
+                             add.single("--measure MEASURE", options.measures,
+                                        "An intensity measure instead of the common ones, such as "
+                                        "PGV or \"Sa(0.3)\"; repeatable");
                            });
   records.add<InfoOptions>(
       {"ls", "List the records of files and folders",
@@ -307,11 +375,12 @@ void add_records_make(Commands& commands) {
        "gurney records make near_fault_pulse period_s=2 -o pulse.csv"},
       make, [](Options& add, MakeOptions& options) {
         add("KIND", options.kind, "Kind of motion; --list shows all");
-        add("KEY=VALUE", options.settings, "Parameters, such as period_s=0.5");
-        add("-o,--output FILE", options.output, "The .csv file to write");
-        add("--list", options.list, "Print the kinds, or the parameters of KIND");
-        add("--json", options.json, "With --list: all kinds and parameters as JSON");
-        add("--overwrite", options.overwrite, "Replace a file that exists");
+        CLI::Option* const list =
+            add("--list", options.list, "Print the kinds, or the parameters of KIND");
+        add("KEY=VALUE", options.settings, "Parameters, such as period_s=0.5")->excludes(list);
+        add("-o,--output FILE", options.output, "The .csv file to write")->excludes(list);
+        add("--json", options.json, "With --list: kinds and parameters as JSON")->needs(list);
+        add("--overwrite", options.overwrite, "Replace a file that exists")->excludes(list);
       });
 }
 

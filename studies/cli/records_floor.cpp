@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -27,8 +28,8 @@ struct FloorOptions {
 
 int floor_of(const std::string& text, const groundmotions::Building& building) {
   const std::optional<int> floor = groundmotions::floor_of(building, text);
-  require(floor.has_value(),
-          fmt::format("--floor {}: must be {}", text, groundmotions::floor_names(building)));
+  require(floor.has_value(), fmt::format("--floor (--storey) {}: must be {}", text,
+                                         groundmotions::floor_names(building)));
   return *floor;
 }
 
@@ -55,15 +56,18 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
       {"building", building.name}, {"floor", floor}, {"storeys", building.storeys}};
   if (building.tables) facts["floor_name"] = name_of_floor(building, floor);
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
-    if (!ground[direction] || !response.floor[direction]) continue;
-    const groundmotions::Peaks below = peaks_of(*ground[direction]);
+    if (!response.floor[direction]) continue;
+    nlohmann::ordered_json& of = facts[name_of(direction)];
+    if (ground[direction]) {
+      const groundmotions::Peaks below = peaks_of(*ground[direction]);
+      of["pga_m_per_s2"] = below.acceleration;
+      of["pgv_m_per_s"] = below.velocity;
+    }
     const groundmotions::Peaks peak = peaks_of(*response.floor[direction]);
-    facts[name_of(direction)] = {{"pga_m_per_s2", below.acceleration},
-                                 {"pgv_m_per_s", below.velocity},
-                                 {"pfa_m_per_s2", peak.acceleration},
-                                 {"pfv_m_per_s", peak.velocity}};
+    of["pfa_m_per_s2"] = peak.acceleration;
+    of["pfv_m_per_s"] = peak.velocity;
     if (response.floor.rotation && direction != groundmotions::Direction::kVertical)
-      facts[name_of(direction)]["peak_dip_rad"] = peak_dip(*response.floor.rotation, direction);
+      of["peak_dip_rad"] = peak_dip(*response.floor.rotation, direction);
   }
   if (response.floor.rotation && !building.torsion.empty())
     facts["peak_yaw_rad"] = peak_yaw(*response.floor.rotation);
@@ -73,8 +77,8 @@ nlohmann::ordered_json facts_json(const groundmotions::Building& building, int f
   if (response.storey_drift_ratio) facts["peak_storey_drift_ratio"] = *response.storey_drift_ratio;
   if (response.storeys) {
     const auto numbers = [](const Eigen::VectorXd& v) { return std::vector(v.begin(), v.end()); };
-    facts["storeys"] = {{"ductility", numbers(response.storeys->ductility)},
-                        {"residual_drift_m", numbers(response.storeys->residual_drift)}};
+    facts["storey_response"] = {{"ductility", numbers(response.storeys->ductility)},
+                                {"residual_drift_m", numbers(response.storeys->residual_drift)}};
   }
   facts["processing"] = response.floor.processing;
   facts["warnings"] = response.floor.warnings;
@@ -87,12 +91,14 @@ void print_facts(const groundmotions::Building& building, int floor,
   fmt::print("{}, floor {} of {}\n", building.name, name_of_floor(building, floor),
              name_of_floor(building, building.storeys));
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
-    if (!ground[direction]) continue;
-    const groundmotions::Peaks below = peaks_of(*ground[direction]);
+    if (!response.floor[direction]) continue;
+    const groundmotions::Peaks below =
+        ground[direction] ? peaks_of(*ground[direction]) : groundmotions::Peaks{};
     const groundmotions::Peaks peak = peaks_of(*response.floor[direction]);
-    fmt::print("  {:<9} PGA {:.3g} g, PFA {:.3g} g; PGV {:.3g} m/s, PFV {:.3g} m/s\n",
+    fmt::print("  {:<9} PGA {:.3g} g, PFA {:.3g} g; PGV {:.3g} m/s, PFV {:.3g} m/s{}\n",
                name_of(direction), below.acceleration / kStandardGravity,
-               peak.acceleration / kStandardGravity, below.velocity, peak.velocity);
+               peak.acceleration / kStandardGravity, below.velocity, peak.velocity,
+               ground[direction] ? "" : " (not in the record)");
   }
   if (response.floor.rotation && !building.torsion.empty())
     fmt::print("  floor twists by up to {:.2g} rad\n", peak_yaw(*response.floor.rotation));
@@ -110,19 +116,45 @@ void print_facts(const groundmotions::Building& building, int floor,
       print_error("warning: {}\n", warning);
 }
 
+std::string text_of(const std::vector<groundmotions::Refusal>& refused) {
+  std::string text;
+  for (const groundmotions::Refusal& each : refused)
+    text += (text.empty() ? "" : "\n") + groundmotions::text_of(each);
+  return text;
+}
+
+/// @throws Error unless what was asked for can be done with the building
+void check(const FloorOptions& options, const groundmotions::Building& building) {
+  constexpr double kFarthest = groundmotions::kFarthestPlace;
+  const std::vector<double>& place = options.place;
+  require(!building.torsion.empty() || place == std::vector<double>{0, 0},
+          "--position: has no effect: the building has no torsion");
+  require(
+      std::abs(place[0]) <= kFarthest && std::abs(place[1]) <= kFarthest,
+      fmt::format("--position {:g},{:g}: must be within {:g} m, along h1 and h2, of the axis of "
+                  "stiffness [m]",
+                  place[0], place[1], kFarthest));
+  require(
+      !building.tables || options.source.steps.empty(),
+      "--step: must not go with floor motions of another program, which are of the record as it "
+      "is");
+  check_csv_output(options.output, options.overwrite);
+}
+
 int floor(const FloorOptions& options) {
   const groundmotions::Building building = groundmotions::building_from_file(
       data_file(equipment::DataKind::kBuilding, options.building, "--building "));
   const int number = floor_of(options.floor, building);
-  require(!building.torsion.empty() || options.place == std::vector<double>{0, 0},
-          "--position: has no effect: the building has no torsion");
+  check(options, building);
+  std::vector<groundmotions::Refusal> refused;
   std::optional<groundmotions::Record> ground;
   const int code =
-      for_each_record(options.source, nullptr,
+      for_each_record(options.source, &refused,
                       [&](const groundmotions::SuiteRecord&, const groundmotions::Record& record) {
                         require(!ground, "one record is needed, several were given");
                         ground = record;
                       });
+  if (!ground && options.json) throw Error(text_of(refused));
   if (!ground) return code;
   const groundmotions::BuildingResponse response = groundmotions::building_response(
       *ground, building, number, {options.place[0], options.place[1]});

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -21,10 +21,6 @@ const char* const kSource =
 const char* const kLeftOut =
     "regional terms (attenuation of China, Turkey, Italy, Japan) and the basin term are not "
     "included";
-const std::map<std::string, Faulting> kFaulting = {{"unspecified", Faulting::kUnspecified},
-                                                   {"strike-slip", Faulting::kStrikeSlip},
-                                                   {"normal", Faulting::kNormal},
-                                                   {"reverse", Faulting::kReverse}};
 
 struct ModelOptions {
   groundmotions::Scenario scenario;
@@ -86,8 +82,15 @@ void add_records_model(Commands& commands) {
             "Distance to the surface projection of the rupture (Joyner-Boore), 0 to 400 km");
         add("--vs30", options.scenario.vs30,
             "Shear wave velocity of the upper 30 m, 150 to 1500 m/s (default: 760)");
-        add("--faulting", options.scenario.faulting, "unspecified, strike-slip, normal or reverse")
-            ->transform(CLI::CheckedTransformer(kFaulting).description(""));
+        const std::vector<std::string>& faulting = groundmotions::faulting_names();
+        add.calling<std::string>(
+               "--faulting",
+               [&](const std::string& name) {
+                 options.scenario.faulting =
+                     static_cast<Faulting>(std::ranges::find(faulting, name) - faulting.begin());
+               },
+               "unspecified, strike-slip, normal or reverse")
+            ->check(CLI::IsMember(faulting).description(""));
         add("--period", options.periods, "Periods of Sa [s]; repeatable");
         add("--json", options.json, "Print JSON, in SI units, with correlations");
       });

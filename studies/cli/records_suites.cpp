@@ -43,7 +43,8 @@ using groundmotions::SuiteRecord;
 /// What both commands are asked, and the files that they write.
 struct SuiteOptions {
   RecordSource source;
-  std::string target, periods, component = "RotD50", factors = "0.25:4", output;
+  std::string target, periods, factors = "0.25:4", output;
+  std::string component = {};  ///< empty: RotD50
   FigureFile figure;
   bool json = false;
 };
@@ -54,6 +55,17 @@ struct ScaleOptions : SuiteOptions {
   double floor_share = 0.9;
   bool common = false;
 };
+
+/// To be called before anything is computed.
+void check_outputs(const SuiteOptions& options) {
+  options.figure.check();
+  if (!options.output.empty()) check_csv_output(options.output, options.figure.overwrite);
+}
+
+groundmotions::Combination combination_of(const SuiteOptions& options) {
+  return options.component.empty() ? groundmotions::Combination::kRotD50
+                                   : groundmotions::parse_combination(options.component);
+}
 
 /// @param list  text of the list of -o; @param figure  SVG
 void write_files(const SuiteOptions& options, const std::function<std::string()>& list,
@@ -107,8 +119,8 @@ findings::Section scaling_findings(const ScaleOptions& options, const ScaledSuit
                                    const groundmotions::TargetSpectrum& target) {
   findings::Section all{"", "target " + target.name};
   all.json("target", target.name).json("damping_ratio", target.damping);
-  all.say(fmt::format("{} spectra of {:g} % damping, {} s", options.component, 100 * target.damping,
-                      options.periods));
+  all.say(fmt::format("{} spectra of {:g} % damping, {} s", name_of(combination_of(options)),
+                      100 * target.damping, options.periods));
   findings::Table records{"records", "", {}};
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -131,25 +143,26 @@ findings::Section scaling_findings(const ScaleOptions& options, const ScaledSuit
 
 int scale(const ScaleOptions& options) {
   constexpr Eigen::Index kPeriods = 100;
-  options.figure.check();
+  check_outputs(options);
   require(options.output.empty() || options.source.steps.empty(),
           "--step with -o: a list of records has no place for steps, and the scaled suite would be "
           "without them; convert the records with the steps first (gurney records convert)");
   const groundmotions::TargetSpectrum target =
       target_of(options.target, [](config::Table& in) { return groundmotions::read_target(in); });
   const auto [low, high] = span_of("--periods", options.periods);
-  const auto [smallest, largest] = span_of("--limits", options.factors);
-  const groundmotions::Combination combination =
-      groundmotions::parse_combination(options.component);
+  const auto [smallest, largest] = span_of("--factors", options.factors);
+  const groundmotions::Combination combination = combination_of(options);
   const Eigen::VectorXd periods = groundmotions::logarithmic_periods(low, high, kPeriods);
   target.at(low), target.at(high);  // refuses a range that the target does not have
 
   ScaledSuite suite;
+  ShortPeriods coarse(low);
   const int code = for_each_record(
       options.source, nullptr,
       [&](const groundmotions::SuiteRecord& entry, const groundmotions::Record& record) {
         try {
           groundmotions::combined_spectrum(combination, record, periods.head(1), target.damping);
+          coarse.take(record);
           suite.motions.push_back(record);
           suite.records.push_back(entry);
         } catch (const Error& error) {
@@ -174,8 +187,9 @@ int scale(const ScaleOptions& options) {
   how.mean = options.mean == "geometric" ? groundmotions::SuiteScalingOptions::Mean::kGeometric
                                          : groundmotions::SuiteScalingOptions::Mean::kArithmetic;
   how.floor_share = options.floor_share;
-  const groundmotions::SuiteScaling scaling = groundmotions::scale_suite(
+  groundmotions::SuiteScaling scaling = groundmotions::scale_suite(
       periods, {spectra_at, [&](double period) { return target.at(period); }}, names, how);
+  if (!coarse.warning().empty()) scaling.warnings.push_back(coarse.warning());
   print_findings(scaling_findings(options, suite, scaling, target), options.json);
   for (const std::string& warning : scaling.warnings)
     if (!options.json) print_error("warning: {}\n", warning);
@@ -203,6 +217,7 @@ struct Pool {
   std::vector<SuiteRecord> records;
   groundmotions::Candidates candidates;
   std::string spectra;       ///< which, such as "RotD50 spectra"
+  std::string warning;       ///< of records whose samples are too far apart; may be empty
   std::size_t unusable = 0;  ///< excluded: not usable up to the longest period
   int code = 0;
 };
@@ -237,8 +252,16 @@ class PoolReader {
   }
 
   void read_flatfile(const groundmotions::SourceFile& file) {
-    require(options_.source.steps.empty(),
-            "--step: a flatfile has spectra of records as they are, which no step changes");
+    const groundmotions::ReadOptions& options = options_.source.options;
+    for (const auto& [option, given] : {std::pair("--component", !options_.component.empty()),
+                                        {"--unit", !options.unit.empty()},
+                                        {"--time-step", options.time_step.has_value()},
+                                        {"--count", options.si_per_count.has_value()},
+                                        {"--columns", !options.columns.empty()},
+                                        {"--step", !options_.source.steps.empty()}})
+      require(!given,
+              std::string(option) +
+                  ": has no effect: a flatfile has spectra, those of the records as they are");
     require(target_.damping == 0.05,
             fmt::format("--target: the damping is {:g} %, that of a flatfile's spectra is 5 %",
                         100 * target_.damping));
@@ -251,7 +274,8 @@ class PoolReader {
   }
 
   void read_records() {
-    const auto combination = groundmotions::parse_combination(options_.component);
+    const auto combination = combination_of(options_);
+    ShortPeriods coarse(periods_[0]);
     pool_.spectra = name_of(combination) + std::string(" spectra");
     pool_.code = for_each_record(
         options_.source, nullptr,
@@ -259,6 +283,7 @@ class PoolReader {
           try {
             const Eigen::VectorXd spectrum =
                 groundmotions::combined_spectrum(combination, record, periods_, target_.damping);
+            coarse.take(record);
             require(spectrum.minCoeff() > 0, entry.name + ": the spectrum is zero at a period");
             std::vector<groundmotions::NamedFacts> headers;
             for (const auto& component : record.components)
@@ -268,6 +293,7 @@ class PoolReader {
             print_error("skipped: {}\n", error.what());
           }
         });
+    pool_.warning = coarse.warning();
   }
 
   void add(const SuiteRecord& record, std::vector<groundmotions::NamedFacts> headers,
@@ -360,6 +386,7 @@ void print_notes(const SelectOptions& options, const Pool& pool, const Selection
       print_error("warning: {}: {} of {} records do not state theirs and are not limited\n", option,
                   count, groups.size());
   };
+  if (!pool.warning.empty()) print_error("warning: {}\n", pool.warning);
   unknown(pool.candidates.events, options.selection.per_event, "--per-event");
   unknown(pool.candidates.stations, options.selection.per_station, "--per-station");
   const auto absent = std::ranges::count_if(records, [](const SuiteRecord& record) {
@@ -374,7 +401,7 @@ void print_notes(const SelectOptions& options, const Pool& pool, const Selection
 int select(const SelectOptions& given) {
   constexpr int kPeriods = 20;  // as Jayaram, Lin & Baker (2011)
   SelectOptions options = given;
-  options.figure.check();
+  check_outputs(options);
   require(options.output.empty() || options.source.steps.empty(),
           "--step with -o: a list of records has no place for steps; convert the records with the "
           "steps first (gurney records convert)");
@@ -387,7 +414,6 @@ int select(const SelectOptions& given) {
   const SelectionTarget target = target_of(options.target, [&](config::Table& in) {
     return groundmotions::read_selection_target(in, periods);
   });
-  if (!options.output.empty()) study::OutputFiles(options.figure.overwrite).check(options.output);
   const Pool pool = PoolReader(options, target).read();
   const Selection selection =
       groundmotions::select_records(target, pool.candidates, options.selection);
@@ -454,14 +480,16 @@ void add_records_select(Commands& commands) {
         add("--periods LOW:HIGH", options.periods, "Period range of the comparison, LOW:HIGH [s]");
         add("--component", options.component,
             "Spectrum of a record: RotD50, RotD100, geomean, larger, SRSS, h1, ...");
-        add("--factors LOW:HIGH", options.factors, "Factors allowed for a record, LOW:HIGH");
-        add("--unscaled", options.unscaled, "Select records as they are, with the factor 1");
+        CLI::Option* const factors =
+            add("--factors LOW:HIGH", options.factors, "Factors allowed for a record, LOW:HIGH");
+        add("--unscaled", options.unscaled, "Select records as they are, with the factor 1")
+            ->excludes(factors);
         add("--per-event", options.selection.per_event,
             "Largest number of records of one event; 0: any number")
-            ->check(CLI::NonNegativeNumber);
+            ->check(Options::not_negative());
         add("--per-station", options.selection.per_station,
             "Largest number of records of one station; 0: any number")
-            ->check(CLI::NonNegativeNumber);
+            ->check(Options::not_negative());
         add("--seed", options.selection.seed, "Seed of the simulated spectra");
         add_figure_and_list(add, options, "A list of the selected suite to write (.csv)");
         add("--json", options.json, "Print the selection as JSON");

@@ -128,7 +128,7 @@ void FigureFile::write(const std::function<std::string()>& draw, bool quiet) con
 }
 
 void NamedFigures::check() const {
-  require(format == "svg" || format == "pdf" || format == "png",
+  require(format.empty() || format == "svg" || format == "pdf" || format == "png",
           "--figure-format " + format + ": must be svg, pdf or png");
   style();
 }

@@ -78,11 +78,11 @@ struct FigureFile : FigureStyle {
 
 /// Figures to which a command gives names itself: option --figure-format.
 struct NamedFigures : FigureStyle {
-  std::string format = "svg";
+  std::string format = {};  ///< empty: svg
 
   /// To be called before anything is computed. @throws Error
   void check() const;
-  std::string suffix() const { return "." + format; }
+  std::string suffix() const { return "." + (format.empty() ? "svg" : format); }
   std::string bytes(const std::string& svg) const;
 };
 

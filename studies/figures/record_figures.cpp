@@ -67,7 +67,7 @@ std::vector<Panel> component_panels(const groundmotions::Component& component,
 }
 
 Panel spectra_panel(const groundmotions::Record& record) {
-  const Eigen::VectorXd periods = groundmotions::logarithmic_periods(0.02, 10, 150);
+  const Eigen::VectorXd periods = groundmotions::logarithmic_periods(kShortestPeriod, 10, 150);
   Panel panel{.title = "Pseudo-acceleration, 5 % damping",
               .x_label = "Period (s)",
               .y_label = "PSA (g)",

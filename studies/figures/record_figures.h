@@ -13,6 +13,8 @@
 
 namespace gurney::figures {
 
+inline constexpr double kShortestPeriod = 0.02;  ///< of the spectra of a record [s]
+
 /// Acceleration, velocity and displacement of each component from rest, what they leave at the end,
 /// and the response spectra (5 % damping) of the components and of RotD50.
 std::string record_figure(const groundmotions::Record& record);

@@ -114,7 +114,7 @@ wall=$2/groundmotions/buildings/wall_hospital.toml
 records 0 "floor rotates by up to" floor "$record" --building "$wall" -o wall_roof.csv
 grep -q "the floor rotates: peak" wall_roof.csv || complain "the rotation is not in the floor's processing"
 records 0 "peak_dip_rad" floor "$record" --building "$wall" -o wall_roof2.csv --json
-records 1 "--floor 9: must be roof, or a number from 0 to 4" floor "$record" --building "$building" --floor 9 -o x.csv
+records 1 "--floor (--storey) 9: must be roof, or a number from 0 to 4" floor "$record" --building "$building" --floor 9 -o x.csv
 
 records 0 "misfit of the mean" scale "$record" --target "eurocode8 ground=B ag_g=0.3" -o suite.csv --figure suite.svg
 records 0 "1 record" ls suite.csv

@@ -188,7 +188,7 @@ expect 1 "--shards 49: the study has 48 analysis cases" "$gurney" submit job.tom
 expect 1 "needs the scheduler: --slurm, --pbs or --lsf" "$gurney" submit job.toml --shards 2
 expect 1 "needs the scheduler" "$gurney" submit job.toml --slurm --lsf --shards 2
 expect 1 "--time 1h: must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time 1h
-expect 1 "--time : must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time ""
+expect 2 "--time: must not be empty" "$gurney" submit job.toml --slurm --shards 2 --time ""
 for control in $'\n' $'\r' $'\v' $'\x7f'; do
   expect 1 "--directive: has the control character 0x" "$gurney" submit job.toml --slurm --shards 2 --script never --sbatch "--comment=a${control}touch pwned"
   cp job.toml "a${control}touch pwned${control}#.toml"

@@ -39,7 +39,7 @@ paste -d, found model | awk -F, -v n="$(head -1 found | awk -F, '{print NF}')" '
     if (d > 1e-5 || e > 1e-5) {bad++}; rows++}
   END {exit !(rows > 1000 && bad == 0)}' || complain "the floor is not that of the table"
 floor 0 '"floor_name": "roof"' --floor roof -o roof.csv --json
-floor 1 "--floor 2: must be 1, 3 or roof" --floor 2 -o x.csv
+floor 1 "--floor (--storey) 2: must be 1, 3 or roof" --floor 2 -o x.csv
 expect 1 "no such file" "$gurney" records floor "$2/groundmotions/records/synthetic_3c.csv" --building ./clinic.toml -o x.csv
 [ ! -e x.csv ] || complain "x.csv was left"
 
