@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import numbers
 from collections.abc import Iterable
 
 
@@ -20,6 +21,13 @@ class InputError(Error, ValueError):
 
 class NotInFile(Error, LookupError):
     """A table, name or run that the file does not have."""
+
+
+def at_least_one(name: str, value: object) -> int:
+    """A whole number of 1 or more. :raises InputError: it is none"""
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral) or value < 1:
+        raise InputError(f"{name} = {value!r}: must be a whole number, 1 or more")
+    return int(value)
 
 
 def not_in_file(where: str, kind: str, name: object, known: Iterable[object]) -> NotInFile:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import os
 import pathlib
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from . import jobs, program
-from .errors import Error, InputError
+from .errors import Error, InputError, at_least_one
 from .results import Results
 
 
@@ -34,21 +36,20 @@ def study(job: str | os.PathLike[str] | Mapping[str, Any], output: str | os.Path
 
     A job with ``overrides``, or a dict, is written as ``NAME.job.json``, NAME that of the results, and
     stays, since :func:`Results.play` and `gurney replay` need it: in the folder where its relative
-    paths start, that of the job file, of a dict that of the results.
+    paths start, that of the job file, of a dict that of the results. Beside results in another folder
+    the name has eight digits more, which stand for that folder. One with another content stays as it
+    is unless ``overwrite`` or ``resume`` is given and the program accepts the job.
     """
     file = pathlib.Path(output)
-    path, is_new = _job_file(job, overrides or {}, file)
-    command = [program.path(), "run", str(path), "-o", str(file)]
-    command += ["-j", str(threads)] if threads is not None else []
+    command = ["-o", str(file)]
+    if threads is not None:
+        command += ["-j", str(at_least_one("threads", threads))]
     command += [f"--{name}" for name, wanted in (("resume", resume), ("overwrite", overwrite))
                 if wanted]
     tell = progress if callable(progress) else _print if progress else lambda line: None
-    try:
-        _follow(command, tell)
-    except InputError:
-        if is_new:
-            path.unlink()
-        raise
+    path, text = _job_file(job, overrides or {}, file)
+    with _written(path, text, file, may_replace=overwrite or resume):
+        _follow([program.path(), "run", str(path), *command], tell)
     return Results(str(file))
 
 
@@ -57,22 +58,50 @@ def _print(line: str) -> None:
 
 
 def _job_file(job: str | os.PathLike[str] | Mapping[str, Any], overrides: Mapping[str, Any],
-              output: pathlib.Path) -> tuple[pathlib.Path, bool]:
-    """The file of the job, and whether this call made it."""
+              output: pathlib.Path) -> tuple[pathlib.Path, str | None]:
+    """The file of the job, and its text if this call makes it."""
     if isinstance(job, (str, os.PathLike)):
         path = pathlib.Path(job)
         if not overrides:
-            return path, False
+            return path, None
         given, folder = jobs.read_job(path), path.parent
     else:
         given, folder = dict(job), output.parent
     changed = jobs.patched(given, overrides)
     if "study" not in changed:
         raise InputError("the job has no table [study]: gurney.run() makes a single run")
-    path = folder / f"{output.stem}.job.json"
-    is_new = not path.exists()
-    path.write_text(jobs.text(changed), encoding="utf-8")
-    return path, is_new
+    place = os.path.relpath(output.parent.absolute(), folder.absolute())
+    where = "" if place == os.curdir else "." + hashlib.sha256(os.fsencode(place)).hexdigest()[:8]
+    return folder / f"{output.name.removesuffix('.h5')}{where}.job.json", jobs.text(changed)
+
+
+@contextlib.contextmanager
+def _written(path: pathlib.Path, text: str | None, output: pathlib.Path, *,
+             may_replace: bool) -> Iterator[None]:
+    """Holds the text at the path while the program runs, and leaves it there unless it is refused: what
+    stood there before is then as it was."""
+    if text is None or path.is_file() and path.read_bytes() == text.encode():
+        yield
+        return
+    before = path.with_name(path.name + ".before")
+    if replaces := path.exists():
+        if not may_replace or path.is_dir():
+            raise InputError(f"{path}: exists, and is not this job; overwrite=True replaces a file")
+        os.replace(path, before)
+    try:
+        try:
+            path.write_bytes(text.encode())
+        except OSError as error:
+            raise InputError(f"{path}: {error.strerror}") from error
+        yield
+    except InputError:
+        if replaces:
+            os.replace(before, path)
+        elif not pathlib.Path(f"{output}.parts").exists():  # else finished runs need it
+            path.unlink(missing_ok=True)
+        raise
+    if replaces:
+        before.unlink()
 
 
 def _follow(command: list[str], tell: Callable[[str], None]) -> None:

@@ -168,6 +168,44 @@ class Studies(InFolder):
         self.assertFalse(os.path.exists("wrong.job.json"))
         with self.assertRaisesRegex(gurney.InputError, "few.job.json:/study/drawz"):
             gurney.study(job, "few.h5", overrides={"study.drawz": 2}, overwrite=True, progress=False)
+        for threads in (0, True, 1.5, "2"):
+            with self.assertRaisesRegex(gurney.InputError, "threads = .*1 or more"):
+                gurney.study(job, "few.h5", threads=threads, overwrite=True)
+
+    def test_a_refused_study_leaves_the_job_of_another(self):
+        job = gurney.read_job(os.path.join(JOBS, "brakes_study.toml"))
+        few = {"study.intensity.levels": [0.3], "study.synthetic_records": 1, "settings.duration_s": 2}
+        gurney.study(job, "few.h5", overrides=few, progress=False).close()
+        with open("few.job.json", "rb") as file:
+            first = file.read()
+        other = {**few, "study.synthetic_records": 2}
+        for options in ({"overrides": other}, {"overrides": other, "resume": True},
+                        {"overrides": {"study.drawz": 2}, "overwrite": True}):
+            with self.assertRaises(gurney.InputError):
+                gurney.study(job, "few.h5", progress=False, **options)
+            with open("few.job.json", "rb") as file:
+                self.assertEqual(file.read(), first, options)
+        gurney.study(job, "few.h5", overrides=few, resume=True, progress=False).close()
+        gurney.study(job, "few.h5", overrides=other, overwrite=True, progress=False).close()
+        with open("few.job.json", "rb") as file:
+            self.assertNotEqual(file.read(), first)
+        with self.assertRaisesRegex(gurney.InputError, "nowhere.*No such file"):
+            gurney.study(job, "nowhere/few.h5", overrides=few)
+        self.assertEqual(sorted(os.listdir()), ["few.h5", "few.job.json", "few.log"])
+
+    def test_studies_of_one_name_in_two_folders_have_jobs_of_their_own(self):
+        for folder in ("a", "b"):
+            os.mkdir(folder)
+        with open("job.json", "w", encoding="utf-8") as file:
+            json.dump(gurney.read_job(os.path.join(JOBS, "brakes_study.toml")), file)
+        for folder, level in (("a", 0.2), ("b", 0.3)):
+            gurney.study("job.json", f"{folder}/few.h5", progress=False, overrides={
+                "study.intensity.levels": [level], "study.synthetic_records": 1,
+                "settings.duration_s": 2}).close()
+        self.assertEqual(len([each for each in os.listdir() if each.endswith(".job.json")]), 2)
+        for folder in ("a", "b"):
+            with gurney.open(f"{folder}/few.h5") as study:
+                self.assertIn("<html", study.play(0).html)
 
 
 class Catalogue(unittest.TestCase):
