@@ -22,16 +22,28 @@ import tempfile
 import tomllib
 
 
+def text_of(path):
+    try:
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+    except (OSError, UnicodeDecodeError) as error:
+        sys.exit(f"{path}: {error}")
+
+
 def read_params(path):
     """Names and values of params.in; a value is a number or a text."""
-    with open(path, encoding="utf-8") as file:
-        count, *lines = file.read().splitlines()
+    count, *lines = text_of(path).rstrip().splitlines() or [""]
+    if count.strip() != str(len(lines)):
+        sys.exit(f"{path}:1: {count!r}: must be the number of variables, with a line for each; there are "
+                 f"{len(lines)} lines")
     values = {}
-    for number, line in enumerate(lines[:int(count)], start=2):
+    for number, line in enumerate(lines, start=2):
         try:
             name, text = shlex.split(line)
         except ValueError:
             sys.exit(f"{path}:{number}: {line!r}: must be a name and a value")
+        if name in values:
+            sys.exit(f"{path}:{number}: {name} is there twice")
         try:
             values[name] = float(text)
         except ValueError:
@@ -117,8 +129,10 @@ def main():
     usage.add_argument("--missing", type=float, help="value of a demand that the run has not")
     usage.add_argument("--gurney", default="gurney", help="the program")
     given = usage.parse_args()
-    with open(given.job, "rb") as file:
-        job = tomllib.load(file)
+    try:
+        job = tomllib.loads(text_of(given.job))
+    except tomllib.TOMLDecodeError as error:
+        sys.exit(f"{given.job}: {error}")
     for name, value in read_params("params.in").items():
         set_key(job, name, value)
     folder = os.path.abspath(given.folder or os.path.dirname(os.path.abspath(given.job)))

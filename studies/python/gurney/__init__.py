@@ -20,7 +20,9 @@ of every column. Drawn parameters keep the unit that their name ends with.
 
 from __future__ import annotations
 
+import importlib
 import os
+from typing import Any
 
 try:
     import h5py  # noqa: F401
@@ -57,3 +59,10 @@ def open(path: str | os.PathLike[str], verify: bool = True) -> Results:  # noqa:
     :raises DamagedFile: its bytes are not those that were written
     """
     return Results(path, verify=verify)
+
+
+def __getattr__(name: str) -> Any:
+    """``gurney.plot``, which needs matplotlib, is imported when it is asked for."""
+    if name == "plot":
+        return importlib.import_module(".plot", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

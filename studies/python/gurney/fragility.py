@@ -60,9 +60,16 @@ class Fragility:
     _curve: Any = field(repr=False, compare=False)
 
     def probability(self, im: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """P(exceeded | im) for intensities >= 0 in ``units``, in the shape of ``im``; NaN: no curve."""
+        """P(exceeded | im) for intensities >= 0 in ``units``, in the shape of ``im``; NaN: no curve, or
+        an intensity that is NaN.
+
+        :raises InputError: an intensity is below 0
+        """
         given = numpy.asarray(im, dtype=float)
-        flat = [self._curve.probability(each) for each in given.ravel()]
+        if (given < 0).any():
+            raise InputError(f"im = {given[given < 0].ravel()[0]:g}: an intensity is 0 or more")
+        flat = [math.nan if math.isnan(each) else self._curve.probability(each)
+                for each in given.ravel()]
         return numpy.array(flat).reshape(given.shape)
 
     def theta_in(self, unit: str) -> float:
@@ -173,6 +180,11 @@ def _outcomes(given: pandas.Series) -> dict[int, bool]:
     wrong = [each for each in kept if each not in (True, False)]
     if wrong:
         raise InputError(f"an outcome is {wrong[0]!r}: must be True, False or NaN")
+    index = given.index
+    if not pandas.api.types.is_integer_dtype(index) or len(index) and index.min() < 0:
+        raise InputError("an outcome's index is not the number of a run: must be 0, 1, 2 ...")
+    if not index.is_unique:
+        raise InputError(f"run {index[index.duplicated()][0]} has several outcomes")
     return {int(run): bool(each) for run, each in kept.items()}
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import numbers
 from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy
 
 from . import tables
-from .errors import Error, NotInFile, not_in_file, shortened
+from .errors import Error, InputError, NotInFile, not_in_file, shortened
 
 if TYPE_CHECKING:
     from .results import Results
@@ -36,9 +37,11 @@ def _chosen(results: Results, run: int | None, known: Any) -> int:
         if len(there) == 1:
             return there[0]
         raise Error(f"{results.path}: which run? Histories are stored of {shortened(there)}")
+    if isinstance(run, bool) or not isinstance(run, numbers.Integral):
+        raise InputError(f"run = {run!r}: must be a whole number")
     if run not in there:
         raise not_in_file(results.path, "histories of run", run, there)
-    return run
+    return int(run)
 
 
 def _attributes(dataset: h5py.Dataset) -> dict[str, Any]:

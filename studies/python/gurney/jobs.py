@@ -6,6 +6,7 @@ import copy
 import json
 import os
 import pathlib
+import re
 import tomllib
 from collections.abc import Mapping
 from typing import Any
@@ -21,12 +22,21 @@ Job = dict[str, Any]
 def read_job(path: str | os.PathLike[str]) -> Job:
     """A job, or any other TOML or JSON file, as nested dicts.
 
-    :raises InputError: the file is missing, or neither TOML nor JSON
+    :raises InputError: the file is missing, or neither TOML nor JSON: ``file:line:column: what``
     """
+    name = os.fspath(path)
     try:
         return parsed(pathlib.Path(path).read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise InputError(f"{os.fspath(path)}: {error}") from error
+    except OSError as error:
+        raise InputError(f"{name}: {error.strerror}") from error
+    except json.JSONDecodeError as error:
+        raise InputError(f"{name}:{error.lineno}:{error.colno}: {error.msg}") from error
+    except tomllib.TOMLDecodeError as error:
+        what, _, place = str(error).rpartition(" (at ")
+        where = "".join(f":{each}" for each in re.findall(r"\d+", place))
+        raise InputError(f"{name}{where}: {what}") from error
+    except ValueError as error:
+        raise InputError(f"{name}: {error}") from error
 
 
 def parsed(text: str) -> Job:
@@ -89,13 +99,28 @@ def text(job: Mapping[str, Any]) -> str:
     :raises InputError: what no job can hold
     """
     try:
-        return json.dumps(job, default=_plain, indent=1)
+        written = json.dumps(job, default=_plain, indent=1)
+        if re.search(r"\bNaN\b", written) and (key := _nan_in(json.loads(written))):
+            raise InputError(f"{key} = nan: must be a number")
+        return written
     except RecursionError as error:
         raise InputError("the tables of the job are nested too deep") from error
     except (TypeError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         raise InputError(f"the tables of the job cannot be written as JSON: {error}") from error
+
+
+def _nan_in(value: Any) -> str:
+    """The dotted key of a number that is none; empty: there is no such."""
+    inner = value.items() if isinstance(value, dict) else enumerate(value) \
+        if isinstance(value, list) else ()
+    for key, each in inner:
+        if isinstance(each, float) and each != each:
+            return str(key)
+        if below := _nan_in(each):
+            return f"{key}.{below}"
+    return ""
 
 
 def dotted(keywords: Mapping[str, Any]) -> dict[str, Any]:

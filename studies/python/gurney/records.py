@@ -7,6 +7,7 @@ Every function asks `gurney records`. Where a record is asked for, a path, a fol
 from __future__ import annotations
 
 import csv
+import numbers
 import os
 import pathlib
 import tempfile
@@ -74,31 +75,104 @@ def from_array(acceleration: Any, time_step: float | None = None, *, unit: str,
     """A record of an array, for everything that takes records.
 
     :param acceleration: shape (samples,) or (samples, 1): x; (samples, 3): x, y, z. A Series or DataFrame
-        of pandas may have the times [s] as its index, a DataArray of xarray as its coordinate ``time``
-    :param time_step: [s]; not needed with such times, which must be evenly spaced
+        of pandas may have the times [s] as its index, a DataArray of xarray as its coordinate ``time``.
+        Columns with names are x, y, z or h1, h2, vertical, in any order, and may be ``time`` [s]
+    :param time_step: 0.00001 to 1 [s]; not needed with such times, which must be evenly spaced
     :param unit: ``"g"``, ``"m/s2"`` or ``"cm/s2"``; it has no default: an array in g is not one in m/s2
     :raises InputError: another shape or unit, values that are no numbers, times that are uneven
     """
+    if not isinstance(name, str) or not name.isprintable():
+        raise InputError(f"name = {name!r}: must be a text in one line")
     try:
-        samples = numpy.asarray(acceleration, dtype=float) * factor(unit, "m/s2")
-    except (Error, TypeError, ValueError) as error:
+        in_si = factor(unit, "m/s2")
+    except Error as error:
         raise InputError(f"{name}: {error}") from error
+    samples, step, components = samples_of(acceleration, time_step, name)
     table = samples.reshape(len(samples), -1) if samples.ndim else samples
     if table.ndim != 2 or len(table) < 2 or table.shape[1] not in (1, 3) or not numpy.isfinite(table).all():
         raise InputError(f"{name}: must be 2 or more samples of 1 or 3 components, each a finite number; its "
                          f"shape is {samples.shape}")
-    step = evenly_spaced(acceleration) if time_step is None else float(time_step)
-    if step is None or not step > 0:
-        raise InputError(f"{name}: needs time_step > 0 [s]")
-    return Record(name, table, step, tuple(_DIRECTIONS.values())[:table.shape[1]])
+    if not 1e-5 <= step <= 1:
+        raise InputError(f"{name}: time_step = {step:g}: must be 0.00001 to 1 [s]")
+    return Record(name, table * in_si, step,
+                  components or tuple(_DIRECTIONS.values())[:table.shape[1]])
 
 
-def evenly_spaced(series: Any) -> float | None:
-    """The step [s] of the times that a Series, DataFrame or DataArray has; None: it has none."""
-    times: Any = getattr(series, "index", None)
+def samples_of(given: Any, time_step: Any, name: str = "record") -> tuple[Array, float, tuple[str, ...]]:
+    """An array of real numbers, its time step [s], and the components that its columns name, if they do;
+    numpy would make numbers of booleans, texts, dates and masks too.
+
+    :raises InputError: it is none, or has columns or times of which no motion can be made
+    """
+    table = _as_pandas(given)
+    components: tuple[str, ...] = ()
+    times = getattr(table, "index", None)
+    if isinstance(table, pandas.DataFrame) and not isinstance(table.columns, pandas.RangeIndex):
+        if list(table.columns).count("time") == 1:
+            times = pandas.Index(table["time"])
+            table = table.drop(columns="time")
+        table, components = _by_component(table, name)
+    samples = _real(table, name)
+    step = _step_of(times) if time_step is None else time_step
+    if step is None:
+        raise InputError(f"{name}: an array needs time_step [s], or times as its index")
+    if isinstance(step, numpy.ndarray) and step.ndim == 0:
+        step = step[()]
+    if not _is_real(step):
+        raise InputError(f"time_step = {step!r}: must be a number [s]")
+    return samples, float(step), components
+
+
+def _as_pandas(given: Any) -> Any:
+    """A DataArray of xarray as a Series or a DataFrame, a row for each time."""
+    if not hasattr(given, "to_pandas") or getattr(given, "ndim", 0) not in (1, 2):
+        return given
+    return (given.transpose("time", ...) if "time" in given.dims else given).to_pandas()
+
+
+def _by_component(table: pandas.DataFrame, name: str) -> tuple[Any, tuple[str, ...]]:
+    """The columns x, y, z or h1, h2, vertical in that order, 0 where one is missing; x alone stays so."""
+    places = {each: place for names in (_DIRECTIONS, _DIRECTIONS.values())
+              for place, each in enumerate(names)}
+    wrong = [each for each in table.columns if not isinstance(each, str) or each not in places]
+    if wrong:
+        raise InputError(f"{name}: column {wrong[0]!r}: must be x, y, z, or h1, h2, vertical, or time [s]")
+    found = [places[each] for each in table.columns]
+    if len(set(found)) < len(found) or not found:
+        raise InputError(f"{name}: columns {', '.join(table.columns) or 'none'}: must be a column for "
+                         "each component, x, y, z or h1, h2, vertical")
+    there = tuple(list(_DIRECTIONS.values())[place] for place in sorted(found))
+    if found == [0]:
+        return table, there
+    samples = numpy.zeros((len(table), 3))
+    samples[:, found] = _real(table, name)
+    return samples, there
+
+
+def _is_real(value: object) -> bool:
+    return isinstance(value, numbers.Real) and not isinstance(value, (bool, numpy.bool_))
+
+
+def _real(given: Any, name: str) -> Array:
+    masked = int(numpy.sum(given.mask)) if isinstance(given, numpy.ma.MaskedArray) else 0
+    if masked:
+        raise InputError(f"{name}: {masked} of {given.size} samples are masked; a record has no gaps")
+    try:
+        array = numpy.asarray(given)
+        real = (array.dtype.kind in "fiu" or
+                array.dtype.kind == "O" and all(_is_real(each) for each in array.flat))
+        if not real:
+            raise InputError(f"{name}: not an array of real numbers, but of {array.dtype}")
+        return array.astype(float)
+    except (TypeError, ValueError, OverflowError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{name}: not an array of numbers: {error}") from error
+
+
+def _step_of(times: Any) -> float | None:
+    """The step [s] of an index of times; None: it has none."""
     if not isinstance(times, pandas.Index) or isinstance(times, pandas.RangeIndex):
-        times = series.coords.get("time") if hasattr(series, "coords") else None
-    if times is None:
         return None
     at = numpy.asarray(times)
     if at.dtype.kind not in "fiu" or len(at) < 2:
@@ -175,13 +249,20 @@ def spectrum(record: Source, periods: Iterable[float] | None = None, *, unit: st
     :param periods: > 0 [s]; 31 from 0.05 to 5 s if not stated
     """
     at = numpy.geomspace(0.05, 5, 31) if periods is None else periods
-    names = [f"Sa({period:.6g})" for period in at]
+    wanted = [float(period) for period in at]
+    wrong = [period for period in wanted if not 0 < period < numpy.inf]
+    if wrong or not wanted:
+        raise InputError(f"periods: {wrong[0] if wrong else 'none'}: must be > 0 [s]")
+    names = [f"Sa({period:.17g})" for period in wanted]
     frame = measures(record, names, unit=unit, time_step=time_step, steps=steps)
-    frame.index = pandas.Index([float(name[3:-1]) for name in frame.index], name="period")
+    if len(frame) < len(wanted):
+        raise InputError("periods: two of them are the same to the digits of their names: "
+                         + ", ".join(f"{period:g}" for period in wanted))
+    frame.index = pandas.Index(wanted, name="period")
     return frame.dropna(axis="columns", how="all")
 
 
-def scale(paths: Iterable[Source], target: str, *, periods: tuple[float, float] | None = None,
+def scale(paths: Source | Iterable[Source], target: str, *, periods: tuple[float, float] | None = None,
           component: str | None = None, common: bool = False) -> pandas.DataFrame:
     """Factors that bring a suite to a target spectrum: a row for each record with ``factor`` and
     ``misfit``; ``attrs`` has what is of the suite: ``target``, ``common_factor``, ``warnings`` ...
@@ -197,7 +278,7 @@ def scale(paths: Iterable[Source], target: str, *, periods: tuple[float, float] 
         options += ["--periods", f"{periods[0]:g}:{periods[1]:g}"]
     if component:
         options += ["--component", component]
-    found = _ask("scale", list(paths), *options)
+    found = _ask("scale", _listed(paths), *options)
     frame = pandas.DataFrame(found.pop("records")).set_index("name")
     frame.attrs = found
     return frame
@@ -295,7 +376,7 @@ def select(sources: Source | Iterable[Source], target: str, *, records: int = 20
     :returns: :class:`Selection`; what was excluded or is not stated is warned of
     :raises InputError: the target is wrong, or too few records remain
     """
-    given = [sources] if isinstance(sources, (str, os.PathLike, Record)) else list(sources)
+    given = _listed(sources)
     options = ["--target", target, "--records", str(records), "--seed", str(seed), "--per-event",
                str(per_event), "--per-station", str(per_station)]
     for name, span in (("--periods", periods), ("--factors", factors)):
@@ -360,6 +441,10 @@ def _stated(unit: str | None, time_step: float | None, steps: Sequence[str]) -> 
     options = [] if unit is None else ["--unit", unit]
     options += [] if time_step is None else ["--time-step", f"{time_step:.17g}"]
     return options + [each for step in steps for each in ("--step", step)]
+
+
+def _listed(sources: Source | Iterable[Source]) -> list[Source]:
+    return [sources] if isinstance(sources, (str, os.PathLike, Record)) else list(sources)
 
 
 def _paths(sources: Iterable[Source], folder: str) -> list[str]:

@@ -13,7 +13,7 @@ import h5py
 import pandas
 
 from . import histories, jobs, program, run_table, tables
-from .errors import Error, NotInFile, not_in_file, shortened
+from .errors import DamagedFile, Error, NotInFile, not_in_file, shortened
 from .fragility import Fragility, Statistics
 from .page import Page
 
@@ -34,7 +34,10 @@ class Results:
         if not self._bytes:
             self._check_file()
         self.verified = self.verify() if verify else None
-        self._file = h5py.File(io.BytesIO(self._bytes) if self._bytes else self.path, "r")
+        try:
+            self._file = h5py.File(io.BytesIO(self._bytes) if self._bytes else self.path, "r")
+        except OSError as error:
+            raise DamagedFile(f"{self.path}: cannot be read: {error}") from error
         try:
             self._check_layout()
         except Error:

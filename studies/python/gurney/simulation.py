@@ -19,9 +19,9 @@ import numpy.typing
 import pandas
 
 from . import engine, jobs, program
-from .errors import InputError
+from .errors import InputError, at_least_one
 from .page import Page
-from .records import Record, evenly_spaced
+from .records import Record, samples_of
 from .results import Results
 
 Array = numpy.typing.NDArray[numpy.float64]
@@ -38,8 +38,9 @@ def simulate(item: Item, record: Motion = None, time_step: float | None = None, 
         keys of ``[item]`` of a job (:func:`gurney.item` makes one), or a list of such dicts
     :param record: acceleration of the floor [m/s2] as an array, one row for each time, with one
         column (x) or three (x, y, z), up to 100 g, and ``time_step``, unless it is a Series, DataFrame or
-        DataArray with its times [s]; or a :class:`gurney.records.Record`; or the path of a record file; or a dict with the keys of
-        ``[excitation.record]``; or None: the floor rests
+        DataArray with its times [s], whose columns may have the names x, y, z or h1, h2, vertical, in any
+        order; or a :class:`gurney.records.Record`; or the path of a record file; or a dict with the keys
+        of ``[excitation.record]``; or None: the floor rests
     :param time_step: of an array, 0.00001 to 1 [s]
     :param predictability: run the twin as well, as ``gurney run`` does; False takes half the time
     :param tables: other tables of a job as dicts: ``floor``, ``room``, ``settings``, ``excitation``
@@ -54,8 +55,7 @@ def simulate(item: Item, record: Motion = None, time_step: float | None = None, 
     if isinstance(record, Record) and time_step is None:
         samples, step = record.acceleration, record.time_step
     elif record is not None and not isinstance(record, (str, os.PathLike, Mapping, Record)):
-        samples = _samples(record)
-        step = _step(evenly_spaced(record) if time_step is None else time_step)
+        samples, step, _ = samples_of(record, time_step)
     elif time_step is not None:
         raise InputError("time_step goes with an array; of a file it is "
                          "record={'file': ..., 'time_step_s': ...}")
@@ -74,14 +74,20 @@ def simulate_many(cases: Iterable[Mapping[str, Any]], *, threads: int | None = N
         for :meth:`Runs.to_frame` alone
     :param threads: all of the machine if not stated; the runs have the same bits for any number
     :returns: :class:`Runs`, in the order of the cases
-    :raises InputError: of the first case that is wrong
+    :raises InputError: of a case that is wrong, with its number from 0
     """
     given = [dict(case) for case in cases]
-    if threads is not None and threads < 1:
-        raise InputError(f"threads = {threads}: must be 1 or more")
-    asked = [{key: value for key, value in case.items() if key != "label"} for case in given]
-    with multiprocessing.pool.ThreadPool(threads or os.cpu_count()) as pool:
-        return Runs(given, pool.map(lambda case: simulate(**case), asked, chunksize=1))
+    wanted = os.cpu_count() if threads is None else at_least_one("threads", threads)
+
+    def run_case(number: int) -> Run:
+        case = {key: value for key, value in given[number].items() if key != "label"}
+        try:
+            return simulate(**case)
+        except (InputError, TypeError) as error:
+            raise InputError(f"cases[{number}]: {error}") from error
+
+    with multiprocessing.pool.ThreadPool(wanted) as pool:
+        return Runs(given, pool.map(run_case, range(len(given)), chunksize=1))
 
 
 def run(job: str | os.PathLike[str] | Mapping[str, Any],
@@ -246,39 +252,6 @@ def _item(item: Any) -> Any:
     if isinstance(item, (str, os.PathLike)):
         return {"equipment": os.fspath(item)}
     return item
-
-
-def _is_real(value: object) -> bool:
-    return isinstance(value, numbers.Real) and not isinstance(value, (bool, numpy.bool_))
-
-
-def _samples(record: Any) -> Array:
-    """An array of real numbers; numpy would make some of booleans, texts, dates and masks too."""
-    masked = int(numpy.sum(record.mask)) if isinstance(record, numpy.ma.MaskedArray) else 0
-    if masked:
-        raise InputError(f"record: {masked} of {record.size} samples are masked; a "
-                         "record has no gaps")
-    try:
-        array = numpy.asarray(record)
-        real = (array.dtype.kind in "fiu" or
-                array.dtype.kind == "O" and all(_is_real(each) for each in array.flat))
-        if not real:
-            raise InputError(f"record: not an array of real numbers, but of {array.dtype}")
-        return array.astype(float)
-    except (TypeError, ValueError, OverflowError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"record: not an array of numbers: {error}") from error
-
-
-def _step(time_step: Any) -> float:
-    if time_step is None:
-        raise InputError("record: an array needs time_step [s], or times as its index")
-    if isinstance(time_step, numpy.ndarray) and time_step.ndim == 0:
-        time_step = time_step[()]
-    if not _is_real(time_step):
-        raise InputError(f"time_step = {time_step!r}: must be a number [s]")
-    return float(time_step)
 
 
 def _choice(name: str, value: object) -> bool:

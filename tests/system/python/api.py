@@ -81,6 +81,24 @@ class Jobs(InFolder):
             gurney.run(os.path.join(JOBS, "brakes_study.toml"))
         with self.assertRaisesRegex(gurney.InputError, "nowhere.toml"):
             gurney.run("nowhere.toml", settings__duration_s=1)
+        with self.assertRaisesRegex(gurney.InputError, "item.yaw_deg = nan"):
+            gurney.run(SHAKE, {"item.yaw_deg": numpy.nan})
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text, place in (("a.toml", "a = 1\nb = = 3\n", ":2:5: "), ("a.json", '{"a": 1,\n]', ":2:1: "),
+                                      ("b.toml", 'a = "', ": ")):
+                path = os.path.join(folder, name)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text)
+                with self.assertRaisesRegex(gurney.InputError, "^" + path + place):
+                    gurney.read_job(path)
+
+    def test_the_figures_are_there_without_another_import(self):
+        names = "import gurney; print(gurney.plot.history.__name__); gurney.plott"
+        done = subprocess.run([sys.executable, "-B", "-c", names], capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": support.BUILT})
+        self.assertIn("no attribute 'plott'", done.stderr)
+        if support.has("matplotlib"):
+            self.assertEqual(done.stdout, "history\n")
 
     def test_items_with_other_numbers(self):
         plain = gurney.simulate("icu_ventilator", RECORD, **SHORT)
@@ -115,8 +133,12 @@ class ManyRuns(InFolder):
                          [run.demands["xu_trolley"]["peak_displacement"] for run in runs])
         with self.assertRaisesRegex(gurney.InputError, "icu_beds"):
             gurney.simulate_many([{"item": "icu_beds"}])
-        with self.assertRaisesRegex(gurney.InputError, "1 or more"):
-            gurney.simulate_many([], threads=0)
+        for threads in (0, "2", True):
+            with self.assertRaisesRegex(gurney.InputError, "threads = .*1 or more"):
+                gurney.simulate_many([], threads=threads)
+        for wrong, message in (({"item": "icu_beds"}, "cases.1.: .*icu_bed"), ({"itm": "icu_bed"}, "cases.1.: .*'item'")):
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.simulate_many([{"item": "icu_bed", "settings": {"duration_s": 0.1}}, wrong])
 
     def test_a_run_shows_itself(self):
         run = gurney.simulate("xu_trolley", RECORD, **SHORT)
@@ -243,6 +265,10 @@ class Records(InFolder):
         spectrum = gurney.records.spectrum(gurney.records.read(RECORD), [0.3, 1])
         self.assertEqual(spectrum.index.tolist(), [0.3, 1.0])
         self.assertTrue((spectrum["RotD100"] >= spectrum["RotD50"]).all())
+        self.assertEqual(gurney.records.spectrum(RECORD, [0.12345678]).index.tolist(), [0.12345678])
+        for periods, message in (([0], "> 0"), ([numpy.nan], "> 0"), ([], "> 0"), ([0.5, 0.5], "are the same")):
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.records.spectrum(RECORD, periods)
         both = gurney.records.measures(RECORD, ["Sa(0.3)"])
         self.assertAlmostEqual(spectrum.loc[0.3, "RotD50"] / both.loc["Sa(0.3)", "RotD50"], 1, delta=1e-12)
 
@@ -256,6 +282,9 @@ class Records(InFolder):
         suite = gurney.records.scale([RECORD], "asce7 sds_g=1 sd1_g=0.6", periods=(0.2, 2))
         self.assertGreater(suite.loc["synthetic_3c", "factor"], 1)
         self.assertIn("common_factor", suite.attrs)
+        for one in (RECORD, gurney.records.read(RECORD)):
+            alone = gurney.records.scale(one, "asce7 sds_g=1 sd1_g=0.6", periods=(0.2, 2))
+            self.assertAlmostEqual(alone["factor"].iloc[0] / suite["factor"].iloc[0], 1, delta=1e-12)
         pulse = gurney.records.make("ricker", period_s=1)
         self.assertEqual((pulse.components, pulse.acceleration.shape[1]), (("h1",), 1))
         self.assertIn("period_s", [each["key"] for each in gurney.records.kinds()["ricker"]["parameters"]])
@@ -299,6 +328,52 @@ class Arrays(unittest.TestCase):
                 ("abc", 0.01, "g", "record"), (3.0, 0.01, "g", "2 or more samples")):
             with self.assertRaisesRegex(gurney.InputError, message):
                 gurney.records.from_array(array, step, unit=unit)
+
+    def test_columns_are_told_apart_by_their_names(self):
+        motion = numpy.outer(self.PULSE, [1, -0.5, 0.2])
+        expected = repr(gurney.simulate("xu_trolley", motion, 0.01, **SHORT).demands)
+        times = pandas.Index(numpy.arange(200) * 0.01, name="time")
+        by_name = pandas.DataFrame({name: motion[:, "xyz".index(name)] for name in "zyx"}, times)
+        record = gurney.records.from_array(motion, 0.01, unit="m/s2")
+        for frame in (by_name, record.to_frame()[["vertical", "h1", "h2"]], by_name.reset_index()):
+            self.assertEqual(repr(gurney.simulate("xu_trolley", frame, 0.01, **SHORT).demands), expected)
+            again = gurney.records.from_array(frame, unit="m/s2")
+            numpy.testing.assert_array_equal(again.acceleration, motion)
+            self.assertAlmostEqual(again.time_step, 0.01, delta=1e-15)  # of times that are products
+        only_y = gurney.records.from_array(by_name[["y"]], 0.01, unit="m/s2")
+        self.assertEqual((only_y.components, only_y.to_frame().columns.tolist()), (("h2",), ["h2"]))
+        numpy.testing.assert_array_equal(only_y.acceleration, motion * [0, 1, 0])
+        self.assertEqual(repr(gurney.simulate("xu_trolley", only_y, **SHORT).demands),
+                         repr(gurney.simulate("xu_trolley", only_y.to_frame(), 0.01, **SHORT).demands))
+        for frame, message in (
+                (by_name.rename(columns={"x": "ax"}), "column 'ax': must be x, y, z"),
+                (by_name.rename(columns={"x": 0}), "column 0: must be x, y, z"),
+                (by_name.rename(columns={"x": "h2"}), "a column for each component"),
+                (by_name.assign(time=numpy.arange(200.0) ** 2), "not evenly spaced"),
+                (by_name.assign(t=0), "column 't'")):
+            for use in (lambda: gurney.simulate("xu_trolley", frame),
+                        lambda: gurney.records.from_array(frame, unit="g")):
+                with self.assertRaisesRegex(gurney.InputError, message):
+                    use()
+        if support.has("xarray"):
+            array = by_name.stack().rename_axis(["time", "component"]).to_xarray().T
+            self.assertEqual(array.dims, ("component", "time"))
+            self.assertEqual(repr(gurney.simulate("xu_trolley", array, 0.01, **SHORT).demands), expected)
+
+    def test_what_is_no_record_is_refused_by_both(self):
+        masked = numpy.ma.masked_array(self.PULSE, numpy.arange(200) < 3)
+        for array, step, message in (
+                (masked, 0.01, "3 of 200 samples are masked"), (self.PULSE > 0, 0.01, "of bool"),
+                (self.PULSE.astype("U9"), 0.01, "of <U9"), (self.PULSE + 0j, 0.01, "of complex128"),
+                (self.PULSE, numpy.inf, "time_step"), (self.PULSE, True, "time_step"),
+                (self.PULSE, "0.005", "time_step"), (self.PULSE, 5, "time_step"), (self.PULSE, -1, "time_step")):
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.records.from_array(array, step, unit="g")
+            with self.assertRaisesRegex(gurney.InputError, message):
+                gurney.simulate("xu_trolley", array, step)
+        for name in ("a\nb", 3):
+            with self.assertRaisesRegex(gurney.InputError, "name = .*one line"):
+                gurney.records.from_array(self.PULSE, 0.01, unit="g", name=name)
 
     def test_labels_are_for_the_frame_alone(self):
         cases = [{"item": "xu_trolley", "record": self.PULSE, "time_step": 0.01, "label": label, **SHORT}

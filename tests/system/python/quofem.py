@@ -22,8 +22,10 @@ with tempfile.TemporaryDirectory() as folder:
             return [float(each) for each in file.read().split()]
 
     def drive(params, *demands, job=job):
+        lines = params if isinstance(params, str) else (
+            f"{len(params)}\n" + "".join(f"{name} {value}\n" for name, value in params))
         with open("params.in", "w", encoding="utf-8") as file:
-            file.write(f"{len(params)}\n" + "".join(f"{name} {value}\n" for name, value in params))
+            file.write(lines)
         if os.path.exists("results.out"):
             os.remove("results.out")
         return subprocess.run([sys.executable, DRIVER, job, *demands, "--gurney", support.GURNEY],
@@ -83,6 +85,15 @@ with tempfile.TemporaryDirectory() as folder:
         done = drive(params, asked)
         assert done.returncode != 0 and message in done.stdout + done.stderr, (params, done)
         assert not os.path.exists("results.out")
+    scale = "excitation__record__scale 0.5\n"
+    for text, message in (("2\n" + scale, "params.in:1: '2'"), ("1\n" + scale * 2, "there are 2 lines"),
+                          ("2\n" + scale * 2, "params.in:3: excitation__record__scale is there twice"),
+                          ("x\n" + scale, "params.in:1: 'x'"), ("", "params.in:1: ''")):
+        done = drive(text, "impacts")
+        assert done.returncode != 0 and message in done.stderr, (text, done)
+        assert "Traceback" not in done.stderr and not os.path.exists("results.out")
+    done = drive([], "impacts", job="nowhere.toml")
+    assert done.returncode != 0 and "nowhere.toml" in done.stderr and "Traceback" not in done.stderr, done
 
 # The shipped example, as a UQ engine loops over it: the template is copied to workdir.N, which gets its
 # own params.in and has a results.out of as many numbers as there are responses.

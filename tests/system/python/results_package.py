@@ -280,6 +280,14 @@ class Files(unittest.TestCase):
                 study.fragility(demands, configuration="free")
             with self.assertRaisesRegex(gurney.InputError, "no run 999; it has 180"):
                 study.fragility(pandas.Series({3: True, 999: False}), configuration="free")
+            for index, message in (([0.0, 1.0], "not the number of a run"), ([-1, 1], "not the number of a run"),
+                                   ([1, 1], "run 1 has several outcomes")):
+                with self.assertRaisesRegex(gurney.InputError, message):
+                    study.fragility(pandas.Series([True, False], index), configuration="free")
+            self.assertTrue(numpy.isnan(job.probability([numpy.nan, 1])[0]))
+            self.assertGreaterEqual(job.probability([numpy.nan, 1])[1], 0)
+            with self.assertRaisesRegex(gurney.InputError, "im = -1: an intensity is 0 or more"):
+                job.probability([1, -1])
 
     def test_annual_rate_is_that_of_the_program(self):
         path = os.path.join(self.folder, "hazard.toml")
@@ -347,6 +355,10 @@ class Files(unittest.TestCase):
             file.write(data[:end])
         with gurney.open(path) as study:
             self.assertIs(study.verified, False)
+        with open(path, "wb") as file:
+            file.write(data[:end // 2])
+        with self.assertRaisesRegex(gurney.DamagedFile, "changed.h5: cannot be read: .*truncated"):
+            gurney.open(path)
 
     def test_errors_name_what_is_there(self):
         for act, message in (
@@ -359,6 +371,8 @@ class Files(unittest.TestCase):
                  "must be one of m, cm, mm"),
                 (lambda study: study.table("item"), "did you mean 'items'"),
                 (lambda study: study.histories(1000), "no histories of run '1000'"),
+                (lambda study: study.histories("0"), "run = '0': must be a whole number"),
+                (lambda study: study.histories(True), "run = True: must be a whole number"),
                 (lambda study: study.histories(), "which run")):
             with gurney.open(self.stripes) as study, self.assertRaisesRegex(gurney.Error, message):
                 act(study)
