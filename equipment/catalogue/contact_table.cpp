@@ -31,7 +31,8 @@ Uncertain<ContactConstants> read_contact_constants(Quantities in) {
 Uncertain<ItemContact> read_item_contact(config::Table table) {
   ItemContact fixed;
   fixed.material = table.text("material");
-  if (fixed.material.empty()) table.note("material", " = \"\": must be the name of a material");
+  if (table.is_text("material") && fixed.material.empty())
+    table.note("material", " = \"\": must be the name of a material");
   Uncertain<ItemContact> contact(fixed);
   contact.set(&ItemContact::constants, read_contact_constants(Quantities(table)));
   return contact;

@@ -145,9 +145,9 @@ Answer check_study(const study::StudyJob& job, int threads) {
   answer.add("cases", plan.tasks(), fmt::format("{}", plan.tasks()));
   answer.add("runs", needs.runs, fmt::format("{}{}", most, needs.runs));
   answer.add("time_s", needs.seconds(threads),
-             fmt::format("{}about {} with {} threads on as many idle cores ({} runs were timed: "
+             fmt::format("about {} with {} threads on as many idle cores ({} runs were timed: "
                          "{:.2g} s each)",
-                         most, rounded_duration(needs.seconds(threads)), threads, needs.timed,
+                         rounded_duration(needs.seconds(threads)), threads, needs.timed,
                          needs.seconds_per_run));
   answer.add("memory_bytes", needs.memory_bytes,
              "about " + size_text(static_cast<double>(needs.memory_bytes)));

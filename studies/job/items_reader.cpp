@@ -347,8 +347,15 @@ std::string equipment_name(Table& item) {
 /// Stated names come first: one formed from the equipment's avoids them.
 std::vector<std::string> read_names(std::vector<Table>& items, equipment::UniqueNames& names) {
   std::vector<std::string> result(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i)
-    if (items[i].has("name")) names.take(items[i], result[i] = items[i].text("name"));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!items[i].has("name")) continue;
+    names.take(items[i], result[i] = items[i].text("name"));
+    if (result[i].find('/') != std::string::npos)
+      items[i].note("name",
+                    fmt::format(" = \"{}\": must have no '/', which stands between an item and "
+                                "its parts and contents",
+                                result[i]));
+  }
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (items[i].has("name")) continue;
     const std::string base = equipment_name(items[i]);

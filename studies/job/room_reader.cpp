@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -210,8 +211,9 @@ void check_length(const Tether& tether, const PlacedItem& item, const config::Sp
                                tether.slack_length, distance, item.name));
 }
 
-void read_tether(Table& table, const std::string& element, const std::string& name,
-                 JobReading& job) {
+/// @return the index of its item
+std::size_t read_tether(Table& table, const std::string& element, const std::string& name,
+                        JobReading& job) {
   config::Document& document = table.document();
   const std::size_t errors = document.errors();
   equipment::Quantities in(table);
@@ -234,6 +236,7 @@ void read_tether(Table& table, const std::string& element, const std::string& na
     if (clean) check_length(tether, of_draw.scene.items[tether.item], slack.spot, of);
     of_draw.scene.tethers.push_back(tether);
   });
+  return fixed.item;
 }
 
 using config::Table;
@@ -325,6 +328,26 @@ void stand_on(Scene& scene, std::size_t index, const std::string& name, const co
   item.on = *on;
 }
 
+/// Notes each [[room.contact]] of the job with a material that nothing has: it changes nothing.
+void note_idle_contacts(Table& root, const std::string& floor_material, JobReading& job) {
+  auto room = root.table("room");
+  if (!room) return;
+  std::set<std::string> there{floor_material};
+  for (const PlacedItem& item : job.stated().scene.items)
+    there.insert(item.model.material.empty() ? kUsualItem : item.model.material);
+  for (const RoomShape& shape : job.stated().room.shapes) there.insert(shape.material);
+  const std::vector<std::string> known(there.begin(), there.end());
+  for (Table& contact : room->tables("contact"))
+    for (const std::string& material : contact.texts("materials"))
+      if (!there.contains(material))
+        job.add([line = fmt::format("{}: {}: nothing is of the material '{}'{}",
+                                    contact.where("materials"), contact.name_of("materials"),
+                                    material, config::suggestion(material, known))](
+                    JobParts& of_draw, equipment::Sampler&) {
+          of_draw.without_effect.push_back(line);
+        });
+}
+
 }  // namespace
 
 void read_job_room(Table& root, equipment::RoomNames& names, JobReading& job) {
@@ -342,6 +365,7 @@ void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
   std::string floor_material = kUsualFloor;
   if (auto floor = root.table("floor"))
     floor_material = read_material(*floor, known_contacts(job.stated()), kUsualFloor);
+  if (root.document().clean()) note_idle_contacts(root, floor_material, job);
   std::vector<config::Spot> spots;
   for (Table& item : items) spots.push_back(description_spot(item));
   const equipment::RoomDescription& room = job.stated().room;
@@ -363,10 +387,14 @@ void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
 
 void read_tethers(Table& root, JobReading& job) {
   equipment::UniqueNames names;
+  std::map<std::size_t, std::size_t> of_item;
   std::size_t index = 0;
   for (Table& table : root.tables("tether")) {
     const std::string name = names.read(table, "tether", index);
-    read_tether(table, fmt::format("tether[{}]", index), name, job);
+    const std::size_t item = read_tether(table, fmt::format("tether[{}]", index), name, job);
+    if (++of_item[item] == EquipmentModel::kMaxTethers + 1)
+      table.note("item",
+                 fmt::format(": must not have more than {} tethers", EquipmentModel::kMaxTethers));
     ++index;
   }
 }

@@ -1,5 +1,7 @@
 #include "studies/limit_states/limit_state.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -93,6 +95,9 @@ Places places_of(const Scene& scene) {
 void check_names(const LimitState& state, const Places& places, const std::string& owner) {
   const Quantity& quantity = state.quantity;
   if (!state.is_simple()) return;
+  require(state.at_least <= static_cast<int>(places.items.size()),
+          fmt::format("at_least = {}: must be at most {}, the items and contents of {}",
+                      state.at_least, places.items.size(), owner));
   if (!quantity.item.empty()) must_be("item", quantity.item, places.items, owner);
   if (quantity.of == Quantity::Of::kZone) must_be("zone", quantity.part, places.zones, owner);
   if (quantity.of == Quantity::Of::kTether) must_be("tether", quantity.part, places.tethers, owner);

@@ -110,6 +110,7 @@ void read_demand(Table& in, LimitState& state) {
   state.quantity.column = column.name;
   if (in.has("above") == in.has("below")) {
     in.note("above", ": must be given, or below, not both");
+    for (const char* key : {"above", "below", "unit"}) in.has(key);
     return;
   }
   const bool above = in.has("above");

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 #include "engine/base/error.h"
@@ -13,6 +15,7 @@
 #include "engine/config/nearest_name.h"
 #include "studies/job/scale_reader.h"
 #include "studies/limit_states/limit_state_reader.h"
+#include "studies/plan/study_job.h"
 
 namespace gurney::study {
 
@@ -32,15 +35,25 @@ std::optional<statistics::HazardCurve> read_hazard(config::Table& in,
     const double k0 = in.number("k0", Range::positive()), k = in.number("k", Range::positive());
     return statistics::HazardCurve::power_law(k0 * std::pow(unit, k), k);
   }
+  const std::size_t errors = in.document().errors();
   std::vector<double> im = in.numbers("im", Range::positive());
-  for (double& value : im) value *= unit;
-  const std::vector<double> rate = in.numbers("rate_per_year", Range::positive(), im.size());
-  try {
-    return statistics::HazardCurve::table(im, rate);
-  } catch (const Error& error) {
-    in.note("rate_per_year", std::string(": ") + error.what());
+  if (in.is_array("im") && im.size() < 2) in.note("im", ": must have 2 or more values");
+  if (in.document().errors() > errors) {
+    in.has("rate_per_year");
     return {};
   }
+  const std::vector<double> rate = in.numbers("rate_per_year", Range::positive(), im.size());
+  for (std::size_t i = 1; in.document().errors() == errors && i < im.size(); ++i) {
+    if (!(im[i] > im[i - 1]))
+      in.note_element("im", i,
+                      fmt::format(": must be more than the value before it, {:g}", im[i - 1]));
+    if (!(rate[i] < rate[i - 1]))
+      in.note_element("rate_per_year", i,
+                      fmt::format(": must be less than the value before it, {:g}", rate[i - 1]));
+  }
+  if (in.document().errors() > errors) return {};
+  for (double& value : im) value *= unit;
+  return statistics::HazardCurve::table(im, rate);
 }
 
 namespace {
@@ -96,6 +109,31 @@ void mark_read(const Node& node) {
   }
 }
 
+/// The dotted keys that a level sets, with their values.
+std::map<std::string, std::string> entries_of(const FactorLevel& level) {
+  std::map<std::string, std::string> entries;
+  flatten(level.patch, "", entries);
+  return entries;
+}
+
+/// Notes levels that are one another's copy, and keys that change no run.
+/// @param factor  loses levels that set a key of the study, which no job of a run has
+void note_idle_levels(Table& in, const std::string& key, Factor& factor) {
+  std::map<std::map<std::string, std::string>, std::string> seen;
+  for (const FactorLevel& level : factor.levels) {
+    const auto entries = entries_of(level);
+    if (const auto [same, is_new] = seen.emplace(entries, level.name); !is_new)
+      in.note(key, ": the levels '" + same->second + "' and '" + level.name + "' are the same");
+    if (entries.contains("title"))
+      in.note(key, ": sets the title, which changes no run; a level has a name of its own");
+    const auto of_study = entries.lower_bound("study.");
+    if (of_study == entries.end() || !of_study->first.starts_with("study.")) continue;
+    in.note(key, ": sets " + of_study->first + ", which is of the whole study");
+    factor.levels.clear();
+    return;
+  }
+}
+
 /// `key` and `values`, or `level` with a table for each.
 Factor read_factor(Table in, const Node& node, std::size_t index) {
   Factor factor;
@@ -124,11 +162,42 @@ Factor read_factor(Table in, const Node& node, std::size_t index) {
         factor.levels.push_back({label_of(value), patch_of(key, value)});
     mark_read(*values);
   }
+  const std::string stated = in.has("level") ? "level" : "values";
+  const std::size_t errors = in.document().errors();
   std::set<std::string> names;
   for (const FactorLevel& level : factor.levels)
     if (!names.insert(level.name).second)
-      in.note(in.has("level") ? "level" : "values", ": two levels are named '" + level.name + "'");
+      in.note(stated, ": two levels are named '" + level.name + "'");
+  if (in.document().errors() == errors) note_idle_levels(in, stated, factor);
   return factor;
+}
+
+/// Whether setting one of two dotted keys sets the other as well, or a part of it. `*` is any name.
+bool overlap(const std::string& one, const std::string& other) {
+  std::istringstream first(one), second(other);
+  for (std::string a, b; std::getline(first, a, '.') && std::getline(second, b, '.');)
+    if (a != b && a != "*" && b != "*") return false;
+  return true;
+}
+
+/// A key that both factors set, of the second; empty: none.
+std::string shared_key(const Factor& first, const Factor& second) {
+  for (const FactorLevel& of_first : first.levels)
+    for (const auto& [key, value] : entries_of(of_first))
+      for (const FactorLevel& of_second : second.levels)
+        for (const auto& [other, other_value] : entries_of(of_second))
+          if (overlap(key, other)) return other;
+  return {};
+}
+
+/// Notes each factor that sets a key of one before it, whose level would not be what its name says.
+void note_shared_keys(std::vector<Table>& tables, const std::vector<Factor>& factors) {
+  for (std::size_t i = 1; i < factors.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const std::string key = shared_key(factors[j], factors[i]); !key.empty())
+        tables[i].note(tables[i].has("level") ? "level" : "key",
+                       ": sets '" + key + "', as the factor '" + factors[j].name +
+                           "' does; must not set a key of another factor, or a part of it");
 }
 
 void read_factors(Table& in, const Node& node, Study& study) {
@@ -145,6 +214,7 @@ void read_factors(Table& in, const Node& node, Study& study) {
                                  "\": names a column of the results: must not be empty, '.', "
                                  "'name' or 'row', or have a '/'");
   }
+  note_shared_keys(tables, study.factors);
 }
 
 /// One row: a level of each factor; empty with an error.
@@ -221,7 +291,7 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   IntensityPlan plan;
   if (!in.has("measure")) {
     plan.levels = in.numbers("scales", Range::positive(), {}, plan.levels);
-    note_disorder(in, "scales", plan.levels);
+    if (in.is_array("scales")) note_disorder(in, "scales", plan.levels);
     plan.vertical = read_vertical_scaling(in);
     return plan;
   }
@@ -245,7 +315,7 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   plan.kind = IntensityPlan::Kind::kStripes;
   if (!in.has("levels")) return plan;
   plan.levels = in.numbers("levels", Range::positive());
-  note_disorder(in, "levels", plan.levels);
+  if (in.is_array("levels")) note_disorder(in, "levels", plan.levels);
   for (double& level : plan.levels) level *= plan.unit_in_si;
   return plan;
 }
@@ -284,6 +354,26 @@ void read_measures(Table& in, Study& study) {
   }
 }
 
+/// [rad]
+std::vector<double> read_angles(Table& in) {
+  std::vector<double> angles = in.numbers("angles_deg", Range::any());
+  if (in.is_array("angles_deg") && angles.empty())
+    in.note("angles_deg", " = []: must have 1 or more values");
+  std::map<double, std::size_t> seen;  // by direction
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double turns = angles[i] / 360;
+    // Decimal angles of up to a million degrees are those of others to 1e-9.
+    const auto [same, is_new] =
+        seen.emplace(std::round((turns - std::floor(turns)) * 360e9) / 1e9, i);
+    if (!is_new)
+      in.note_element("angles_deg", i,
+                      fmt::format(": is the direction of angles_deg[{}] = {:g} again", same->second,
+                                  angles[same->second]));
+  }
+  for (double& angle : angles) angle *= kRadiansPerDegree;
+  return angles;
+}
+
 OutputOptions read_keep(Table in) {
   OutputOptions keep;
   keep.histories = static_cast<Histories>(
@@ -302,11 +392,7 @@ Study read_study(Table& in, const Node& node) {
   Study study;
   read_factors(in, node, study);
   read_combinations(in, node, study);
-  if (in.has("angles_deg")) {
-    study.angles = in.numbers("angles_deg", Range::any());
-    if (study.angles.empty()) in.note("angles_deg", " = []: must have 1 or more values");
-    for (double& angle : study.angles) angle *= kRadiansPerDegree;
-  }
+  if (in.has("angles_deg")) study.angles = read_angles(in);
   if (in.has("synthetic_records"))
     study.synthetic_records = in.integer("synthetic_records", 1, 10000);
   study.limit_states = read_limit_states(in);

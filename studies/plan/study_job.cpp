@@ -86,8 +86,15 @@ void refuse_contradictions(const Document& document, const Job& job, const Study
   const auto refuse = [&](bool wrong, const std::string& message) {
     if (wrong) errors.add(record.where + ": " + message);
   };
-  refuse(record.scale_to && study.intensity.kind != IntensityPlan::Kind::kScales,
+  const bool is_scaled = study.intensity.kind != IntensityPlan::Kind::kScales;
+  refuse(record.scale_to && is_scaled,
          "scale_to must not go with study.intensity, which scales the records");
+  if (record.scale != 1 && is_scaled)
+    errors.add(fmt::format(
+        "{}: excitation.record.scale = {:g}: has no effect with levels of a measure, to which "
+        "study.intensity scales the records",
+        document.where(document.tree().find("excitation")->find("record")->find("scale")->place),
+        record.scale));
   refuse(record.angle != 0 && study.angles.size() > 1,
          "angle_deg must not go with study.angles_deg");
   refuse(study.synthetic_records > 0 &&
@@ -97,6 +104,19 @@ void refuse_contradictions(const Document& document, const Job& job, const Study
              record.synthetic->values.contains("seed") && record.synthetic->values.at("seed") != 1,
          "study.synthetic_records gives the seeds 1, 2, ...; leave the seed out");
   errors.raise();
+}
+
+/// What `[output]` asks for and a study does not keep.
+std::vector<std::string> output_without_effect(const Document& document, const Study& study) {
+  const Node* const output = document.tree().find("output");
+  const Node* const stated = output ? output->find("histories") : nullptr;
+  if (stated == nullptr) return {};
+  const std::string line = document.where(stated->place) + ": output.histories";
+  if (study.keep.histories == Histories::kNone)
+    return {line + ": has no effect in a study, which keeps those of study.keep.histories"};
+  if (!stated->boolean)
+    return {line + " = false: must not go with study.keep.histories, which asks for them"};
+  return {};
 }
 
 /// Inputs that change nothing in a configuration; they are errors where none needs them.
@@ -188,6 +208,8 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
     config::Table root = reading.root();
     if (auto table = root.table("study"))
       study_ = read_study(*table, *reading.tree().find("study"));
+    else
+      root.set_aside("study");
     if (const auto uncertainty = document_->take("uncertainty"))
       reading.note(uncertainty->key_place,
                    "uncertainty: must not go with [study], which has draws and a seed of its own");
@@ -201,9 +223,11 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
       const FileSnapshot::Scope scope(*files_);
       Document tree(configurations_[i].tree, *document_);
       const Job& each = models_.emplace_back(tree).stated();
-      without_effect.meet(each.without_effect);
+      std::vector<std::string> idle = output_without_effect(tree, study_);
+      idle.insert(idle.end(), each.without_effect.begin(), each.without_effect.end());
+      without_effect.meet(idle);
       if (!clean) return;
-      refuse_contradictions(*document_, each, study_);
+      refuse_contradictions(tree, each, study_);
       check_limit_states(*taken, each);
     });
   for (const std::string& line : without_effect.everywhere(configurations_.size()))

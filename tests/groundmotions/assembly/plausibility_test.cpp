@@ -56,6 +56,17 @@ TEST(Plausibility, FindsTheSameComponentTwice) {
               ElementsAre("a and b: components 'A' and 'B' are the same numbers"));
 }
 
+TEST(Plausibility, NamesNoFileOfWhatHasNone) {
+  const Eigen::VectorXd swing = Eigen::Vector4d(1, -1, 1, -1).replicate(25, 1);
+  Record synthetic = record(30 * swing, 30 * swing);
+  for (std::optional<Component>& each : synthetic.components)
+    if (each) each->file.clear();
+  EXPECT_THAT(implausible(synthetic),
+              ElementsAre(testing::StartsWith("the peak acceleration of h1"),
+                          testing::StartsWith("the peak acceleration of h2"),
+                          "A and B: components 'A' and 'B' are the same numbers"));
+}
+
 TEST(Plausibility, FindsPeaksNobodyRecorded) {
   const Eigen::VectorXd swing = Eigen::Vector4d(1, -1, 1, -1).replicate(25, 1);
   EXPECT_THAT(implausible(record(29 * swing, 28 * swing)), IsEmpty());

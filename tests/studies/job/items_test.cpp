@@ -219,6 +219,10 @@ name = "floor"
             "a.toml:6:1: item[0].brake: unknown key; did you mean 'brakes'?\n"
             "a.toml:9:8: item[1].name = \"bed\": must differ from the name at a.toml:4:8\n"
             "a.toml:12:8: item[2].name = \"floor\": must not be empty or 'floor'");
+  EXPECT_EQ(
+      errors("[[item]]\nequipment = \"icu_bed\"\nname = \"m/laptop\"\n"),
+      "a.toml:4:8: item[0].name = \"m/laptop\": must have no '/', which stands between an item and "
+      "its parts and contents");
   EXPECT_EQ(errors("item = []\n"), "a.toml:2:8: item: must be tables [[item]], 1 or more");
   EXPECT_EQ(errors("item = [1]\n"), "a.toml:2:8: item = [1]: must be an array of tables [[item]]");
 }

@@ -36,6 +36,14 @@ constexpr const char* kWall =
     "= "
     "2\n";
 
+constexpr const char* kTether = R"([[tether]]
+item = "pole"
+kind = "power_cord"
+point_m = [0, 0, 1]
+anchor_m = [-1, 1, 1]
+slack_length_m = 2
+)";
+
 bool rests_on(const Job& job, const std::string& key) {
   return std::ranges::any_of(job.assumptions,
                              [&](const equipment::Assumption& each) { return each.key == key; });
@@ -126,7 +134,30 @@ TEST(BadJobRoom, APairNeedsConstantsAndIsNamedOnce) {
                    "material = \"foam\"\n[[room.contact]]\nmaterials = [\"rug\", \"foam\"]\n"
                    "restitution = 0.5\nfriction = 0.5\n"),
             "a.toml:3:13: item[0].equipment: no [[room.contact]] for the materials 'equipment' of "
-            "ventilator and 'foam' of west");
+            "ventilator and 'foam' of west\n"
+            "a.toml:20:13: room.contact[0].materials: nothing is of the material 'rug'; known: "
+            "equipment, foam, steel");
+}
+
+TEST(BadJobRoom, AContactIsOfMaterialsThatAreThere) {
+  const auto contact = [](const std::string& material) {
+    return errors(std::string(kTwo) + kWall + "[[room.contact]]\nmaterials = [\"equipment\", \"" +
+                  material + "\"]\nrestitution = 0.5\nfriction = 0.5\n");
+  };
+  EXPECT_EQ(
+      contact("plasterbord"),
+      "a.toml:17:13: room.contact[0].materials: nothing is of the material 'plasterbord'; did you "
+      "mean 'plasterboard'?");
+  EXPECT_EQ(contact("plasterboard"), "(no error)");
+  EXPECT_EQ(contact("floor"), "(no error)");
+}
+
+TEST(BadJobTether, AnItemHasThirtyTwoAtMost) {
+  std::string tethers;
+  for (int i = 0; i < 32; ++i) tethers += kTether;
+  EXPECT_EQ(errors(kTwo + tethers), "(no error)");
+  EXPECT_EQ(errors(kTwo + tethers + kTether),
+            "a.toml:203:8: tether[32].item: must not have more than 32 tethers");
 }
 
 TEST(BadJobRoom, BulletsOwnSolversKnowNoRoom) {
@@ -164,14 +195,6 @@ position_m = [3, 0]
   EXPECT_THAT(text, HasSubstr("a.toml:12:14: item[2].position_m: 'pole' stands "));
   EXPECT_THAT(text, HasSubstr(" mm deep in 'west'"));
 }
-
-constexpr const char* kTether = R"([[tether]]
-item = "pole"
-kind = "power_cord"
-point_m = [0, 0, 1]
-anchor_m = [-1, 1, 1]
-slack_length_m = 2
-)";
 
 TEST(JobTether, HasTheConstantsOfItsKind) {
   const Job job = job_of(std::string(kTwo) + kTether);

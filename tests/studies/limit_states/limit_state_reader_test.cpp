@@ -107,6 +107,8 @@ TEST(LimitStates, ErrorsAreNamed) {
             "a.toml:3:10: limit_state[0].any_of: no limit state 'c'");
   EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\ndemand = \"impacts\"\nabove = 1\nbelow = 2\n"),
             "a.toml:4:9: limit_state[0].above: must be given, or below, not both");
+  EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\ndemand = \"peak_tilt\"\nunit = \"deg\"\n"),
+            "a.toml:1:1: limit_state[0].above: must be given, or below, not both");
   EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nevent = \"impact\"\nitem = \"bed\"\n"
                    "at_least = 2\n"),
             "a.toml:5:12: limit_state[0].at_least: must not go with a place; it counts the items "

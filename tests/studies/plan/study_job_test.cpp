@@ -112,7 +112,7 @@ TEST(StudyJob, ErrorsOfTheStudyDoNotHideThoseOfTheJob) {
 
 TEST(StudyJob, HasNoPeakErrorOfItsRuns) {
   EXPECT_EQ(errors("[[study.factor]]\nkey = \"settings.peak_error\"\nvalues = [0.01]\n"),
-            "a.toml:1:1: settings.peak_error: is for single runs; in a study, study.step_check "
+            "a.toml:13:11: settings.peak_error: is for single runs; in a study, study.step_check "
             "compares runs with half the time step");
 }
 

@@ -184,6 +184,65 @@ TEST(StudyReader, FactorsNeedLevelsWithNamesThatDiffer) {
             "a.toml:16:8: study.factor[1].name = \"a\": two factors have this name");
 }
 
+TEST(StudyReader, EachFactorHasKeysOfItsOwnAndLevelsThatDiffer) {
+  const auto factor = [](const std::string& key, const std::string& values) {
+    return "[[study.factor]]\nkey = \"" + key + "\"\nvalues = " + values + "\n";
+  };
+  const std::string brakes = factor("item.brakes", "[true, false]");
+  const std::string rule =
+      "as the factor 'factor 1' does; must not set a key of another factor, or "
+      "a part of it";
+  EXPECT_EQ(errors(brakes + brakes),
+            "a.toml:15:7: study.factor[1].key: sets 'item.brakes', " + rule);
+  for (const std::string other : {"item.mass_kg.value", "item.mass_kg", "*.mass_kg"})
+    EXPECT_EQ(errors(factor("item.mass_kg", "[8, 9]") + factor(other, "[8, 9]")).substr(0, 70),
+              ("a.toml:15:7: study.factor[1].key: sets '" + other + "', " + rule).substr(0, 70));
+  EXPECT_EQ(errors(factor("settings.duration_s", "[0.1, 0.2]") +
+                   "[[study.factor]]\n[study.factor.level.a]\nsettings.time_step_s = 0.002\n"
+                   "[study.factor.level.b]\nsettings.duration_s = 0.3\n"),
+            "a.toml:15:1: study.factor[1].level: sets 'settings.duration_s', " + rule);
+  EXPECT_EQ(errors(brakes + factor("item.yaw_deg", "[0, 1]")), "(no error)");
+  EXPECT_EQ(errors("[[study.factor]]\n[study.factor.level.a]\nitem.brakes = true\n"
+                   "[study.factor.level.b]\nitem.brakes = true\n"),
+            "a.toml:12:1: study.factor[0].level: the levels 'a' and 'b' are the same");
+  EXPECT_EQ(errors(factor("study.draws", "[1, 3]")),
+            "a.toml:13:10: study.factor[0].values: sets study.draws, which is of the whole study");
+  EXPECT_EQ(
+      errors(factor("title", "[\"a\"]")),
+      "a.toml:13:10: study.factor[0].values: sets the title, which changes no run; a level has a "
+      "name of its own");
+}
+
+TEST(StudyReader, AnAngleStandsOnce) {
+  EXPECT_EQ(
+      errors("angles_deg = [0, 30, 360, -330.0]\n"),
+      "a.toml:11:22: study.angles_deg[2] = 360: is the direction of angles_deg[0] = 0 again\n"
+      "a.toml:11:27: study.angles_deg[3] = -330: is the direction of angles_deg[1] = 30 again");
+  EXPECT_EQ(errors("angles_deg = [0.1, 0.1000001, 359.9]\n"), "(no error)");
+}
+
+TEST(StudyReader, LevelsOfAWrongTypeAreReportedOnce) {
+  EXPECT_EQ(errors("[study.intensity]\nmeasure = \"PGA\"\nunit = \"g\"\nlevels = \"0.1\"\n"),
+            "a.toml:14:10: study.intensity.levels = \"0.1\": must be an array of numbers");
+  EXPECT_EQ(error_text([] { StudyJob(replaced(small_job(""), "[study]", "[[study]]"), "a.toml"); }),
+            "a.toml:10:1: study = [a table]: must be a table [study]");
+}
+
+TEST(StudyReader, AHazardIsReadInItsUnitAndReportedOnce) {
+  const std::string head =
+      "[study.intensity]\nmeasure = \"PGA\"\nunit = \"g\"\nlevels = [0.1]\n"
+      "[study.hazard]\n";
+  EXPECT_EQ(
+      errors(head + "im = [0.2, 0.1]\nrate_per_year = [0.1, 0.2]\n"),
+      "a.toml:16:12: study.hazard.im[1] = 0.1: must be more than the value before it, 0.2\n"
+      "a.toml:17:23: study.hazard.rate_per_year[1] = 0.2: must be less than the value before it, "
+      "0.1");
+  EXPECT_EQ(errors(head + "im = [0.1, 0.2]\nrate_per_year = [0.1]\n"),
+            "a.toml:17:17: study.hazard.rate_per_year = [0.1]: must be an array of 2 numbers");
+  EXPECT_EQ(errors(head + "im = [0.1]\nrate_per_year = [0.1]\n"),
+            "a.toml:16:6: study.hazard.im: must have 2 or more values");
+}
+
 TEST(StudyReader, FactorsAreColumnsOfTheResults) {
   const std::string factor = "[[study.factor]]\nkey = \"item.brakes\"\nvalues = [true]\n";
   for (const std::string bad : {"name", "row", "a/b", ".", ""})
@@ -205,6 +264,27 @@ TEST(StudyReader, RefusesWhatContradictsTheRestOfTheJob) {
             "a.toml:5:1: scale_to must not go with study.intensity, which scales the records\n"
             "a.toml:5:1: angle_deg must not go with study.angles_deg");
   EXPECT_EQ(with(scale_to, ""), "(no error)");
+  EXPECT_EQ(
+      with("scale = 2", levels),
+      "a.toml:7:9: excitation.record.scale = 2: has no effect with levels of a measure, to which "
+      "study.intensity scales the records");
+  EXPECT_EQ(with("scale = 1", levels), "(no error)");
+  EXPECT_EQ(with("scale = 2", "[study.intensity]\nscales = [1, 2]\n"), "(no error)");
+  const auto output = [&](const std::string& histories, const std::string& study) {
+    return with("[output]\nhistories = " + histories, study);
+  };
+  EXPECT_EQ(output("true", ""),
+            "a.toml:8:13: output.histories: has no effect in a study, which keeps "
+            "those of study.keep.histories");
+  EXPECT_EQ(
+      output("false", "keep.histories = \"all\"\n"),
+      "a.toml:8:13: output.histories = false: must not go with study.keep.histories, which asks "
+      "for them");
+  EXPECT_EQ(output("true", "keep.histories = \"all\"\n"), "(no error)");
+  EXPECT_EQ(
+      errors("[[study.limit_state]]\nname = \"x\"\nevent = \"overturned\"\nat_least = 2\n"),
+      "a.toml:11:1: study.limit_state[0]: at_least = 2: must be at most 1, the items and contents "
+      "of the job");
   EXPECT_EQ(errors("angles_deg = []\n"),
             "a.toml:11:14: study.angles_deg = []: must have 1 or more values");
   EXPECT_EQ(errors("sampling = \"latin-hypercube\"\n"),
