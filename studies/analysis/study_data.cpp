@@ -286,11 +286,14 @@ std::vector<statistics::CloudPoint> StudyData::cloud(std::size_t state, std::siz
 }
 
 ReportUnit report_unit(const StudyData& data, const RunMeasure& measure) {
+  return data.units().chosen() ? data.units().of(measure.units) : unit_of_levels(data, measure);
+}
+
+ReportUnit unit_of_levels(const StudyData& data, const RunMeasure& measure) {
   const IntensityPlan& plan = data.study().intensity;
-  const bool stated = plan.unit_in_si != 1 && !data.units().chosen() &&
-                      measure.name == data.file().text_attribute("intensity_measure");
-  if (stated) return {plan.unit, plan.unit_in_si};
-  return data.units().of(measure.units);
+  const bool stated =
+      plan.unit_in_si != 1 && measure.name == data.file().text_attribute("intensity_measure");
+  return stated ? ReportUnit{plan.unit, plan.unit_in_si} : UnitSystem().of(measure.units);
 }
 
 std::string place_of_job(const std::string& job, const std::string& results) {

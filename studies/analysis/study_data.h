@@ -141,6 +141,9 @@ class StudyData {
 /// their measure, else that of the job's units for all.
 ReportUnit report_unit(const StudyData& data, const RunMeasure& measure);
 
+/// The same without a chosen one: that of an intensity which a user states.
+ReportUnit unit_of_levels(const StudyData& data, const RunMeasure& measure);
+
 /// Where the job that a results file keeps is read again, for messages and relative names: the path
 /// of its file, or a name beside the results where that is empty.
 std::string place_of_job(const std::string& job, const std::string& results);

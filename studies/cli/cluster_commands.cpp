@@ -369,7 +369,8 @@ int status_command(const StatusOptions& options) {
       all.rate > 0 ? fmt::format(", {:.1f} runs/s", all.rate) : "",
       all.running_to_go > 0 ? fmt::format(", {} to go", duration_text(all.running_to_go)) : ""));
   if (all.damaged > 0)
-    known.say(fmt::format("{} damaged parts, whose runs will be repeated", all.damaged));
+    known.say(fmt::format("{} damaged part{}, whose runs will be repeated", all.damaged,
+                          all.damaged == 1 ? "" : "s"));
   if (all.foreign > 0)
     known.say(fmt::format(
         "{} analysis cases stand in the folder of another shard and are not counted", all.foreign));

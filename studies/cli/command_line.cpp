@@ -229,6 +229,9 @@ int run_command_line(int argc, char** argv) {
   add_help(commands);
   try {
     return flushed(parse_and_run(app, action, argc, argv));
+  } catch (const BadUsage& error) {
+    print_error("{}\nRun with --help for more information.\n", error.what());
+    return kBadUsage;
   } catch (const Error& error) {
     print_error("{}\n", error.what());
   } catch (const std::bad_alloc&) {

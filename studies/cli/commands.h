@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/error.h"
 #include "engine/base/number_text.h"
 
 namespace gurney::cli {
@@ -116,6 +117,11 @@ class Options {
   }
 
   CLI::App& command_;
+};
+
+/// What a command line asks for and the command would ignore: exit code 2.
+class BadUsage : public Error {
+  using Error::Error;
 };
 
 struct CommandText {

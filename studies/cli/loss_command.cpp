@@ -32,8 +32,10 @@ int loss(const LossOptions& options) {
       options.consequences.empty() ? study::usual_consequences() : options.consequences);
   study::LossRequest request{.measure = options.measure,
                              .threads = threads_or_all(options.threads)};
-  const study::ReportUnit unit = report_unit(data, data.measure(options.measure));
-  for (const double im : options.at) request.at.push_back(im * unit.in_si);
+  const study::RunMeasure measure = data.measure(options.measure);
+  const study::ReportUnit unit = report_unit(data, measure),
+                          of_levels = unit_of_levels(data, measure);
+  for (const double im : options.at) request.at.push_back(im * of_levels.in_si);
   const auto losses = study_losses(data, consequences, request);
   options.figure.write([&] { return figures::loss_figure(consequences, losses, unit); }, true);
   print_findings(report::loss_findings(data, consequences, losses), options.json);
@@ -53,16 +55,17 @@ void add_loss(Commands& commands) {
         add("--consequences FILE", options.consequences,
             "Prices and what follows from each limit state (default: those shipped)");
         add("--measure MEASURE", options.measure, "Intensity measure (default: the study's own)");
-        add.single("--at NUMBER", options.at,
-                   "Expected loss at this intensity, from curves, in the unit of the levels; "
-                   "repeatable")
+        add.single(
+               "--at NUMBER", options.at,
+               "Expected loss at this intensity, from curves, in the unit of the study's levels "
+               "whatever --units states (of another measure: g, or SI); repeatable")
             ->check(Options::positive());
         add_hazard_option(add, options.assessed_by);
         add_units_option(add, options.units);
         add_figure_option(add, options.figure,
                           "Draw loss by level and how often it is above a value");
         add.threads(options.threads, "Threads (default: all cores)");
-        add("--json", options.json, "Print JSON");
+        add("--json", options.json, "Print JSON, in SI units or those of --units");
       });
 }
 

@@ -45,18 +45,18 @@ int show_unfinished(const ShowOptions& options) {
   const study::FinishedCases cases(options.file);
   require(cases.finished() > 0, options.file + ": no analysis case is finished yet");
   const ScratchFolder scratch;
-  cases.write(scratch.file("unfinished.h5"),
-              options.job.empty() ? job_of_folder(options.file) : options.job);
+  cases.write(scratch.file("unfinished.h5"), job_of_unfinished(cases, options.file, options.job));
   study::StudyOverview overview =
       study::study_overview(scratch.file("unfinished.h5"), options.assessed_by, options.units);
   overview.file.path = options.file;
   for (study::FailedRun& each : overview.failures)
     each.command = "(can be repeated once the study is complete)";
   if (!options.json)
-    fmt::print(
-        "UNFINISHED: {} of {} analysis cases; all below is of these alone{}\n\n", cases.finished(),
-        cases.tasks(),
-        cases.damaged() > 0 ? fmt::format(", without {} damaged parts", cases.damaged()) : "");
+    fmt::print("UNFINISHED: {} of {} analysis cases; all below is of these alone{}\n\n",
+               cases.finished(), cases.tasks(),
+               cases.damaged() > 0 ? fmt::format(", without {} damaged part{}", cases.damaged(),
+                                                 cases.damaged() == 1 ? "" : "s")
+                                   : "");
   findings::Section unfinished{"unfinished"};
   unfinished.json("analysis_cases", cases.tasks()).json("finished", cases.finished());
   print_findings(report::overview_findings(overview).add(std::move(unfinished)), options.json);

@@ -156,24 +156,54 @@ struct PlotKind {
   const char *name, *what;
   enum class Of { kHistories, kStudies, kImpacts } of;  ///< which files have it
   std::string (*draw)(const PlotRequest&, const figures::PlotPage&);
+  std::vector<std::string> takes;  ///< what it does not ignore of what some kinds alone have
 };
 
 using Of = PlotKind::Of;
 
-constexpr PlotKind kKinds[] = {
-    {"history", "histories of one run", Of::kHistories, history},
-    {"trajectories", "paths of the items seen from above", Of::kHistories, trajectories},
-    {"collisions", "impacts on the plan, by approach speed", Of::kImpacts, collisions},
-    {"fragility", "fragility curves of limit states", Of::kStudies, fragility},
-    {"ida", "IDA curves of a demand with 16, 50 and 84 % fractiles", Of::kStudies,
-     of_demands<figures::ida_figure>},
-    {"stripes", "demands at each intensity", Of::kStudies, of_demands<figures::stripes_figure>},
-    {"cloud", "demand over intensity with log-log regression", Of::kStudies,
-     of_demands<figures::cloud_figure>},
-    {"cdf", "distribution of a demand at each level", Of::kStudies,
-     of_demands<figures::distribution_figure>},
-    {"tornado", "means of a demand where an uncertain input is low or high", Of::kStudies, tornado},
-    {"spectra", "response spectra of the records and of the floor", Of::kStudies, spectra}};
+const PlotKind kKinds[] = {
+    {"history", "histories of one run", Of::kHistories, history, {"WHAT", "--run"}},
+    {"trajectories", "paths of the items seen from above", Of::kHistories, trajectories, {}},
+    {"collisions",
+     "impacts on the plan, by approach speed",
+     Of::kImpacts,
+     collisions,
+     {"WHAT", "--configuration", "--job"}},
+    {"fragility",
+     "fragility curves of limit states",
+     Of::kStudies,
+     fragility,
+     {"WHAT", "--configuration", "--measure", "--method"}},
+    {"ida",
+     "IDA curves of a demand with 16, 50 and 84 % fractiles",
+     Of::kStudies,
+     of_demands<figures::ida_figure>,
+     {"WHAT", "--configuration", "--measure"}},
+    {"stripes",
+     "demands at each intensity",
+     Of::kStudies,
+     of_demands<figures::stripes_figure>,
+     {"WHAT", "--configuration", "--measure"}},
+    {"cloud",
+     "demand over intensity with log-log regression",
+     Of::kStudies,
+     of_demands<figures::cloud_figure>,
+     {"WHAT", "--configuration", "--measure"}},
+    {"cdf",
+     "distribution of a demand at each level",
+     Of::kStudies,
+     of_demands<figures::distribution_figure>,
+     {"WHAT", "--configuration"}},
+    {"tornado",
+     "means of a demand where an uncertain input is low or high",
+     Of::kStudies,
+     tornado,
+     {"WHAT", "--configuration", "--level"}},
+    {"spectra",
+     "response spectra of the records and of the floor",
+     Of::kStudies,
+     spectra,
+     {"WHAT", "--configuration", "--level", "--job"}}};
 
 const PlotKind& kind_of(const PlotRequest& request) {
   std::vector<std::string> names;
@@ -210,14 +240,41 @@ std::string list_of_study(const std::string& file) {
       fmt::join(data.configurations(), "; "));
 }
 
-/// @throws Error unless the kind is one of those there are
-void check_kind(const PlotRequest& request) { kind_of(request); }
+/// What is given of that which some kinds alone have.
+std::vector<std::string> given(const PlotRequest& request) {
+  std::vector<std::string> names;
+  const auto add = [&](bool there, const char* name) {
+    if (there) names.emplace_back(name);
+  };
+  add(!request.what.empty(), "WHAT");
+  add(request.run.has_value(), "--run");
+  add(!request.configurations.empty(), "--configuration");
+  add(!request.measure.empty(), "--measure");
+  add(!request.method.empty(), "--method");
+  add(request.level.has_value(), "--level");
+  add(!request.job.empty(), "--job");
+  return names;
+}
+
+/// @throws Error unless the kind is one of those there are, and takes what is given
+void check_kind(const PlotRequest& request) {
+  const PlotKind& kind = kind_of(request);
+  for (const std::string& name : given(request))
+    if (std::ranges::find(kind.takes, name) == kind.takes.end())
+      throw BadUsage(fmt::format("{} is not for the figure {}, which takes {}", name, kind.name,
+                                 kind.takes.empty()
+                                     ? "none of its kind"
+                                     : fmt::format("{}", fmt::join(kind.takes, ", "))));
+}
 
 /// The figure as SVG. @throws Error for what the file does not hold, with what it holds
 std::string plotted(const PlotRequest& request, const figures::PlotPage& page) {
   const PlotKind& kind = kind_of(request);
+  const bool study = study::is_study_file(request.file);
+  if (!study && kind.of == Of::kImpacts && !request.configurations.empty())
+    throw BadUsage(request.file + ": is the file of one run, which has no --configuration");
   require(
-      kind.of != Of::kStudies || study::is_study_file(request.file),
+      kind.of != Of::kStudies || study,
       fmt::format("{}: is the file of one run; {} needs that of a study. It has: {}", request.file,
                   kind.name, fmt::join(study::StoredHistories(request.file).names(), ", ")));
   return kind.draw(request, page);
@@ -278,6 +335,12 @@ figures::PlotPage page_of(PlotOptions& options) {
 int plot(const PlotOptions& asked) {
   PlotOptions options = asked;
   if (options.list) {
+    std::vector<std::string> unused = given(options.request);
+    if (!options.request.kind.empty()) unused.emplace_back("KIND");
+    if (!options.figure.empty()) unused.emplace_back("-o");
+    if (!unused.empty())
+      throw BadUsage(
+          fmt::format("--list draws nothing, and has no use for {}", fmt::join(unused, ", ")));
     fmt::print("{}", plot_list(options.request.file));
     return 0;
   }
@@ -308,11 +371,11 @@ void add_plot(Commands& commands) {
             "Histories, demands, limit states, what was hit, or which spectra "
             "(default: displacement, peak_displacement, all)");
         add("--list", options.list, "List what can be plotted from the file");
-        add("--run", options.request.run, "The run of a history (default: the first)");
+        add("--run", options.request.run, "Of history: the run (default: the first)");
         add.single("--configuration", options.request.configurations,
                    "Configurations (default: all)");
         add("--measure MEASURE", options.request.measure,
-            "Intensity measure (default: the study's own)");
+            "Of fragility, ida, stripes and cloud: intensity measure (default: the study's own)");
         add_method_option(add, options.request.method);
         add.calling<std::size_t>(
                "--level", [&options](std::size_t level) { options.request.level = level - 1; },

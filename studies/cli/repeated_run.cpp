@@ -53,14 +53,21 @@ std::string existing_job(const std::string& results, const std::string& named) {
   return job;
 }
 
+/// @throws Error with the keys that differ between a job and that of a study
+[[noreturn]] void refuse_job(const std::string& job, const std::string& text,
+                             const std::string& study, const std::string& theirs) {
+  const std::string keys = study::job_difference(theirs, text);
+  throw Error(fmt::format(
+      "{}: is not the job of {}: {}", job, study,
+      keys.empty() ? fmt::format("there job_sha256 {}, here {}", sha256(theirs), sha256(text))
+                   : keys));
+}
+
 std::string job_of(const study::StudyReader& file, const std::string& named) {
   const std::string job = existing_job(file.path(), named);
   const std::string theirs = file.text_attribute("job_sha256"), text = text_of(job);
-  if (theirs == sha256(text)) return job;
-  const std::string keys = study::job_difference(file.job_text(), text);
-  throw Error(fmt::format(
-      "{}: is not the job of {}: {}", job, file.path(),
-      keys.empty() ? fmt::format("there job_sha256 {}, here {}", theirs, sha256(text)) : keys));
+  if (theirs != sha256(text)) refuse_job(job, text, file.path(), file.job_text());
+  return job;
 }
 
 std::size_t whole(const study::StudyReader& file, const std::string& column, std::size_t run) {
@@ -205,7 +212,13 @@ std::string job_of_shards(const fs::path& folder) {
   return path;
 }
 
-std::string job_of_folder(const std::string& folder) {
+std::string job_of_unfinished(const study::FinishedCases& cases, const std::string& folder,
+                              const std::string& named) {
+  if (!named.empty()) {
+    const std::string text = read_input_file(named), theirs = study::job_text_in(cases.identity());
+    if (text != theirs) refuse_job(named, text, folder, theirs);
+    return named;
+  }
   const std::string job = job_of_shards(folder), results = results_of_folder(folder);
   return job.empty() ? study::place_of_job(job_of_log(results), results) : job;
 }

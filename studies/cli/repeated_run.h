@@ -12,6 +12,7 @@
 #include "studies/prepare/run_job.h"
 #include "studies/render/render.h"
 #include "studies/results/study_reader.h"
+#include "studies/run/shard_status.h"
 
 namespace gurney::cli {
 
@@ -22,10 +23,14 @@ std::string job_of_log(const std::string& results);
 /// The job file that a folder of shards names; empty: none.
 std::string job_of_shards(const std::filesystem::path& folder);
 
-/// The results that the folder FILE.h5.parts, or FILE.h5.shards, will become; and the path of the job in such
-/// a folder, or in the log beside the results.
+/// The results that the folder FILE.h5.parts, or FILE.h5.shards, will become.
 std::string results_of_folder(const std::string& folder);
-std::string job_of_folder(const std::string& folder);
+
+/// The job of a study in such a folder: as named, or else where the folder or the log beside the results
+/// says it was.
+/// @throws Error where the named one is that of another study
+std::string job_of_unfinished(const study::FinishedCases& cases, const std::string& folder,
+                              const std::string& named);
 
 /// Message on the job of results where nothing has its path: "does not exist any more", or why
 /// the system cannot look for it.

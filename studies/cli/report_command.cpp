@@ -50,7 +50,7 @@ std::string page_of(const page::PageRequest& options, const study::FinishedCases
   const ScratchFolder scratch;
   page::PageRequest request = options;
   request.file = scratch.file("unfinished.h5");
-  if (request.job.empty()) request.job = job_of_folder(options.file);
+  request.job = job_of_unfinished(cases, options.file, options.job);
   request.unfinished = fmt::format("{} of {} analysis cases of {}", cases.finished(), cases.tasks(),
                                    results_of_folder(options.file));
   cases.write(request.file, request.job);

@@ -62,6 +62,9 @@ void choose(const study::StudyData& data, const std::string& text,
           fmt::format("two configurations must be named, --configurations A,B, or a second file "
                       "given\n{}",
                       listed(data)));
+  require(chosen[0] != chosen[1], fmt::format("--configurations {}: names one twice; must be two "
+                                              "that differ\n{}",
+                                              text, listed(data)));
   report.a = {&data, chosen[0]};
   report.b = {&data, chosen[1]};
   report.name_a = report.label_a = report.a.configuration_name();

@@ -191,10 +191,8 @@ struct CalibrateOptions {
 void write_all(const CalibrateOptions& options, const calibration::Calibration& calibration,
                const std::vector<calibration::CasterFile>& casters, const std::string& text,
                const std::string& json) {
-  std::error_code failed;
-  std::filesystem::create_directories(options.folder, failed);
-  require(!failed, options.folder + ": " + failed.message());
   const std::filesystem::path folder = options.folder;
+  const NewFolder created(folder);
   std::vector<std::pair<std::string, std::string>> all = {
       {(folder / "calibration.txt").string(), text},
       {(folder / "calibration.json").string(), json},

@@ -48,14 +48,16 @@ Table levels_of(const study::StudyLoss& loss) {
   return table;
 }
 
-Table steps_of(const study::StudyLoss& loss, const study::ReportUnit& unit) {
+/// @param in_json  unit of the medians in JSON
+Table steps_of(const study::StudyLoss& loss, const study::ReportUnit& unit,
+               const study::ReportUnit& in_json) {
   Table table{"steps",
               "Where it comes from",
               {{"item", "item"},
                {"states", "reached"},
                {"cost", "adds", kLossMoney, "to what milder states cost"},
                {"exceeded", "runs"},
-               {"theta", "median", format_of(unit, 1)},
+               {"theta", "median", format_of(unit, in_json.in_si)},
                {"beta", "beta", {".3g"}},
                {"status", ""},
                {"rate_per_year", "a year", {".3g"}}}};
@@ -105,20 +107,25 @@ void add_expected(const study::ExpectedLoss& of, const std::string& per, Section
 }
 
 Section loss_of(const study::StudyData& data, const study::StudyLoss& loss) {
-  const study::ReportUnit unit = report_unit(data, loss.measure);
+  const study::ReportUnit unit = report_unit(data, loss.measure),
+                          in_json = data.units().or_else("si").of(loss.measure.units);
   Section of("losses[]", loss.configuration);
   of.json("configuration", loss.configuration).json("runs", loss.runs);
-  of.json("records", loss.records).json("failed", loss.failed);
+  of.json("units", in_json.name).json("records", loss.records).json("failed", loss.failed);
   findings::Texts items;
-  for (const study::PricedItem& item : loss.items)
-    items.push_back(fmt::format("{} ({:g})", item.name, item.price.value));
-  of.text("items and prices", findings::listed(items));
+  Table priced{"items", "", json_columns({"name", "equipment", "price"})};
+  for (const study::PricedItem& item : loss.items) {
+    const double price = study::mean_of(item.price);
+    items.push_back(fmt::format("{} ({:.4g})", item.name, price));
+    priced.add({item.name, item.equipment, price});
+  }
+  of.text("items and prices", findings::listed(items)).add(std::move(priced));
   if (!loss.levels.empty()) of.add(levels_of(loss));
-  if (!loss.steps.empty()) of.add(steps_of(loss, unit));
+  if (!loss.steps.empty()) of.add(steps_of(loss, unit, in_json));
   for (const study::ExpectedLoss& at : loss.at) {
     Section here("at[]", fmt::format("At {} {:g} {}", loss.measure.name, at.im / unit.in_si,
                                      unit.name == "1" ? "" : unit.name));
-    here.json("im", at.im);
+    here.json("im", at.im / in_json.in_si);
     add_expected(at, "", here);
     of.add(std::move(here));
   }

@@ -253,7 +253,9 @@ findings::Section overview_findings(const study::StudyOverview& overview) {
                        failed_runs(overview.failed, overview.untrusted)));
   all.json("overturned", overview.overturned).json("failed", overview.failed);
   all.json("untrusted", overview.untrusted).json("warned", overview.warned);
-  for (const std::string& warnings : warning_cautions(overview)) all.text("warnings", warnings);
+  const findings::Texts of_runs = warning_cautions(overview);
+  for (const std::string& warnings : of_runs) all.text("warnings", warnings);
+  all.list("run_warnings", "", of_runs);
   all.add(energy_findings(overview)).list("warnings", "warnings", overview.file.warnings);
   all.add(assumption_findings(overview.file)).add(undrawn_findings(overview.undrawn));
   all.add(records(overview.file));

@@ -24,6 +24,8 @@ expect 0 "is valid" "$gurney" equipment check calibrated/R100_on_polyflor_mystiq
 calibrate 1 "calibration.txt: exists already" trials -o calibrated
 [ -s stdout ] && complain "it computes before it refuses to overwrite"
 calibrate 0 "calibrated/calibration.json" trials -o calibrated --overwrite
+calibrate 1 "the folder nodir does not exist" trials -o nodir/calibrated
+[ -e nodir ] && complain "the folder above that of the files was made"
 calibrate 1 "'R200': unknown caster; did you mean" trials --base R200 -o other
 
 sed 's/^# caster = R100/# caster = mine/; s/force_n/force/' trials/pull_1.csv > trials/bad.csv

@@ -40,6 +40,7 @@ expect 0 "within each of these families" "$gurney" compare a.h5
 expect 0 "|residual_yaw| [deg]" "$gurney" compare a.h5
 expect 0 '"p_holm"' "$gurney" compare a.h5 --json
 expect 1 "two configurations must be named" "$gurney" compare a.h5 --configuration false
+expect 1 "names one twice" "$gurney" compare a.h5 --configurations false,false
 expect 1 "no configuration 'flase'; did you mean 'false'?" "$gurney" compare a.h5 --configuration flase
 expect 1 "a configuration of each file must be named" "$gurney" compare a.h5 b.h5
 expect 1 "did you mean 'peak_tilt'?" "$gurney" compare a.h5 --demand peak_tlt

@@ -126,6 +126,19 @@ cost=$(number above.json losses.0.steps.0.cost)  # the only one that the study h
 near "$(number above.json losses.0.at.0.cost)" "$(python3 -c "print($cost * $above)")" 1e-9 ||
   complain "the loss of $cost is not as likely as any"
 
+# --at is in the unit of the levels whatever is printed; items and prices are in JSON, too.
+expect 0 "" "$gurney" loss whole.h5 --consequences consequences.toml --at 0.4 --units cm --json
+near "$(number stdout losses.0.at.0.im)" 40 1e-9 || complain "--at is not 40 cm/s"
+near "$(number stdout losses.0.at.0.cost)" "$(number above.json losses.0.at.0.cost)" 1e-12 ||
+  complain "--units changes what --at means"
+near "$(number stdout losses.0.steps.0.theta)" "$(python3 -c "print(100 * $(number above.json losses.0.steps.0.theta))")" \
+  1e-12 || complain "the medians are not in the units"
+python3 -c '
+import json
+of = json.load(open("above.json"))["losses"][0]
+assert of["units"] == "m/s" and len(of["items"]) >= 1 and all(each["price"] > 0 for each in of["items"]), of' ||
+  complain "no prices in JSON"
+
 # From curves; figures.
 expect 0 "if independent" "$gurney" hospital "$2/studies/hospitals/ward.toml" --samples 500 --figure ward.svg
 grep -q "<svg" ward.svg || complain "no figure"

@@ -96,6 +96,20 @@ plot 1 "no histories of run 99" study.h5 history tilt --run 99 -o x.svg
 plot 1 "too narrow for this size of text" study.h5 cdf -o x.svg --width 40mm --font-size 20
 plot 1 "--font-size big: must be" study.h5 cdf -o x.svg --font-size big
 plot 1 "--list lists" study.h5
+# What a figure does not take is bad usage, whatever the file.
+for words in "cloud --level 2" "cdf --level 2" "cdf --measure PGA" "fragility --level 2" "fragility --run 1" \
+  "cloud --run 1" "spectra --measure PGA" "tornado --method cloud" "trajectories tilt" "history --job run.toml"; do
+  read -r kind option value <<< "$words"
+  case $option in -*) ;; *) option=WHAT ;; esac
+  plot 2 "$option is not for the figure $kind" study.h5 $words -o x.svg
+done
+for words in "--configuration off" "--measure PGA" "--level 1"; do
+  plot 2 "is not for the figure history" run.h5 history $words -o x.svg
+done
+plot 2 "has no --configuration" wall.h5 collisions --configuration off -o x.svg
+for words in "-o x.svg" "history" "--level 2"; do
+  plot 2 "--list draws nothing" study.h5 --list $words
+done
 plot 1 "h.svg: exists already" run.h5 history -o h.svg
 plot 0 "h.svg" run.h5 history -o h.svg --overwrite
 plot 1 "missing.h5" missing.h5 cdf -o x.svg

@@ -142,6 +142,10 @@ grep -q '"seconds_to_go": 0[.,]' stdout || complain "no time to go of a finished
 expect 0 "of 48 analysis cases; all below is of these alone" "$gurney" show a.h5.shards
 grep -q "^UNFINISHED: [0-9]" stdout || complain "an unfinished study is not marked as such"
 expect 0 '"analysis_cases": 48' "$gurney" show a.h5.shards --json
+expect 0 "of 48 analysis cases" "$gurney" show a.h5.shards --job job.toml
+{ echo 'title = "another"'; cat job.toml; } > another.toml
+expect 1 "another.toml: is not the job of a.h5.shards: " "$gurney" show a.h5.shards --job another.toml
+expect 1 "another.toml: is not the job of a.h5.shards: " "$gurney" report a.h5.shards --job another.toml -o another.html
 grep -q "gurney replay" stdout && complain "offers to repeat runs whose numbers will change"
 kill -TERM "$process"
 ends 143 "continue with"
