@@ -75,7 +75,7 @@ Curve capacities_of(const study::FittedCurve& fitted, const std::vector<double>&
   }
   std::ranges::sort(places);
   Curve steps{"", {}, {}, pen(color, 1)};
-  const auto add = [&](double im, double count) { steps.add(im / unit, count / n); };
+  const auto add = [&](double at, double count) { steps.add(at / unit, count / n); };
   add(im.front(), 0);
   double below = 0;
   for (const auto& [place, weight] : places) {
