@@ -20,7 +20,7 @@ TOML
 cat > items.toml << 'TOML'
 schema = "gurney-job/1"
 [[item]]
-name = "<i>bed & \"co\"</i>"
+name = "<i>bed & \"co\""
 equipment = "icu_bed"
 brakes = true
 [[item]]

@@ -219,7 +219,7 @@ sed 's/^draws = .*/draws = 2147483647/' long.toml > large.toml
 study 1 "large.toml: the study has 42949672940 runs, which would take about " large.toml -o large.h5
 expect 1 "at most 10000000 runs are allowed" "$gurney" check large.toml
 thousand="[$(seq -s, 1 1000)]"
-sed "s/^draws = .*/draws = 2147483647/; s/^angles_deg.*/angles_deg = $thousand/; s/^scales.*/scales = $thousand/" long.toml > largest.toml
+sed "s/^draws = .*/draws = 2147483647/; s/^angles_deg.*/angles_deg = [$(seq -s, 0 0.1 99.9)]/; s/^scales.*/scales = $thousand/" long.toml > largest.toml
 expect 1 "largest.toml: the study has about 2.1e+15 runs: too many" "$gurney" check largest.toml
 sed 's/^draws = .*/draws = 500001/' long.toml > just.toml
 expect 1 "just.toml: the study has 10000020 runs" "$gurney" check just.toml
