@@ -14,7 +14,7 @@ schema = "gurney-job/1"
 title = "</script><b onclick=alert(1)>'title' & \"more\"</b> 床"
 [[item]]
 equipment = "icu_ventilator"
-name = "<i>first</i>"
+name = "<i>first"
 position_m = [0, 0]
 [[item]]
 equipment = "infusion_pole"
@@ -80,7 +80,7 @@ cat > study.toml << 'TOML'
 schema = "gurney-job/1"
 [[item]]
 equipment = "infusion_pole"
-name = "<i>pole</i>"
+name = "<i>pole"
 brakes = true
 [[item]]
 equipment = "icu_ventilator"
