@@ -49,7 +49,7 @@ void print_row(int carts, bool brakes, double peak) {
     least = std::min(least, cpu_time() - start);
   }
   const auto& work = response.quality;
-  fmt::print("| {} | {} | {} | {:.1f} g | {} | {:.1f} | {:.0f} us | {:.0f} |\n", carts,
+  fmt::print("| {} | {} | {} | {:.1f} g | {} | {:.1f} | {:.0f} us | {:.2g} |\n", carts,
              scene.items.size(), brakes ? "on" : "off", peak, work.steps,
              double(work.newton_iterations) / work.steps, 1e6 * least / work.steps,
              kDuration / least);
