@@ -160,7 +160,7 @@ std::string Chart::svg(const PlotPage& page) const {
 
 std::string Chart::picture(const PlotPage& page) const {
   constexpr std::size_t kTitleLines = 2;
-  const double space = page.width - 2 * kRight;
+  const double space = (page.width - 2 * kRight) / kWiderFont;
   std::vector<std::string> titles = lines_of(title, 1.08 * kTitleSize, space);
   if (titles.size() > kTitleLines) {
     titles.resize(kTitleLines);
