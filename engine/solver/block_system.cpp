@@ -15,13 +15,16 @@ constexpr int kBody = 6;
 Lanes four(const double* numbers) { return loaded<1>(numbers)[0]; }
 void put(const Lanes& four, double* numbers) { store<1>({four}, numbers); }
 
-/// C -= A B by rows; A has `rows` times `inner` numbers.
-template <int kRows, int kInner, int kLength>
-[[gnu::always_inline]] inline void subtract_product(const double* a, Eigen::Index stride_a,
-                                                    const double* b, double* c,
-                                                    Eigen::Index stride_c, Eigen::Index rows,
-                                                    Eigen::Index inner, Eigen::Index length) {
-  if constexpr (kRows > 0) rows = kRows, inner = kInner, length = kLength, stride_a = kLength;
+constexpr Eigen::Index rounded_up(Eigen::Index count) {
+  return (count + kFour - 1) / kFour * kFour;
+}
+
+/// C -= A B for rows of whole groups of four. kSize: of all three blocks; 0: as stated.
+template <int kSize>
+void subtract_product(const double* a, Eigen::Index stride_a, const double* b, double* c,
+                      Eigen::Index stride_c, Eigen::Index rows, Eigen::Index inner,
+                      Eigen::Index length) {
+  if constexpr (kSize > 0) rows = inner = kSize, length = stride_a = rounded_up(kSize);
   for (Eigen::Index i = 0; i < rows; ++i)
     for (Eigen::Index j = 0; j < length; j += kFour) {
       Lanes sum = four(c + i * stride_c + j);
@@ -29,10 +32,6 @@ template <int kRows, int kInner, int kLength>
         sum = mul_add(splat<Lanes>(-a[i * stride_a + p]), four(b + p * length + j), sum);
       put(sum, c + i * stride_c + j);
     }
-}
-
-constexpr Eigen::Index rounded_up(Eigen::Index count) {
-  return (count + kFour - 1) / kFour * kFour;
 }
 
 }  // namespace
@@ -98,17 +97,13 @@ void BlockSystem::eliminate(std::size_t k) {
   const Column b_k = right_side(k);
   for (std::size_t m : later_) {
     const double* const left = &numbers_[place(m, k)];
-    const Eigen::Index rows = size_of(m), stride_left = stride(m, k);
+    const Eigen::Index rows = size_of(m);
     right_side(m).noalias() -= block(m, k).lazyProduct(b_k);
     for (std::size_t n : later_) {
-      const double* const right = &numbers_[place(k, n)];
-      double* const to = &numbers_[place(m, n)];
-      const Eigen::Index width = stride(k, n), stride_to = stride(m, n);
-      if (own == kBody && rows == kBody && size_of(n) == kBody)
-        subtract_product<kBody, kBody, rounded_up(kBody)>(left, stride_left, right, to, stride_to,
-                                                          rows, own, width);
-      else
-        subtract_product<0, 0, 0>(left, stride_left, right, to, stride_to, rows, own, width);
+      const bool are_bodies = own == kBody && rows == kBody && size_of(n) == kBody;
+      const auto subtract = are_bodies ? subtract_product<kBody> : subtract_product<0>;
+      subtract(left, stride(m, k), &numbers_[place(k, n)], &numbers_[place(m, n)], stride(m, n),
+               rows, own, stride(k, n));
     }
   }
 }

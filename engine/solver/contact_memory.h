@@ -14,8 +14,8 @@ class ContactMemory {
   void match(const std::vector<BodyContact>& contacts, std::vector<BodyContactState>& states);
 
  private:
-  /// Those of one pair, from `begin` to `end`; its states are looked for from `hint` on, which becomes
-  /// their end.
+  /// Matches the contacts of one pair, from `begin` to `end`. The search for its states starts at `hint`,
+  /// which becomes their end.
   void match_pair(const std::vector<BodyContact>& contacts, std::size_t begin, std::size_t end,
                   std::size_t& hint, std::vector<BodyContactState>& states);
 

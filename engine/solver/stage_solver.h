@@ -120,10 +120,10 @@ class StageSolver {
   std::vector<JointWork> joints_;         // of the island
   std::vector<Velocity> v_, before_, full_;
   std::vector<std::size_t> group_of_, group_;  // items that push each other, by the first of them
-  /// Where the unknowns of an item are in the system of its group: in a block its chassis, then its kept joints.
+  /// Block of an item in the system of its group: its chassis, then its kept joints.
   struct Place {
     std::size_t block = 0;
-    std::array<Eigen::Index, kMaxCasters> joints{};
+    std::array<Eigen::Index, kMaxCasters> joints{};  // where they begin in the block
   };
   std::vector<Place> places_;  // as Scene::items
   BlockSystem system_;         // of a group

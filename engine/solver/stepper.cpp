@@ -276,9 +276,7 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
   if (past_event(island, second_.end) > kEventDistance) {
     const std::optional<double> event = locate_event(island, state, duration);
     if (!event)
-      return "the landing of a drop weight, the release of a latch or the break of a tether could "
-             "not be "
-             "located";
+      return "the time of a landing drop weight, a released latch or a broken tether was not found";
     duration = *event;
     ++quality_.event_steps;
     accept(island, state, duration, observer);

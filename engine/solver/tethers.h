@@ -16,9 +16,10 @@ namespace gurney {
 ///     T = k s + min(max(c s', -k s), k s)  for s > 0, else 0,
 ///
 /// so that a cord never pushes and takes up its load without a jump. A tether breaks when T reaches its
-/// strength, an event at which a step ends (Stepper), and carries nothing any more. Until then it also pulls with its slack pull H, horizontally towards the anchor: what hangs or lies on
-/// the floor between the two has a horizontal tension, taut or not. Within kFullPull = 0.1 m of the
-/// anchor in plan H falls to 0 in proportion to the distance.
+/// strength, an event at which a step ends (Stepper), and carries nothing any more. Until then it also
+/// pulls with its slack pull H, horizontally towards the anchor: what hangs or lies on the floor
+/// between the two has a horizontal tension, taut or not. Within kFullPull = 0.1 m of the anchor in
+/// plan H falls to 0 in proportion to the distance.
 class Tethers {
  public:
   Tethers(const Scene& scene, std::size_t item, const Vector3& chassis_center);

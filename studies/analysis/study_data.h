@@ -141,7 +141,7 @@ class StudyData {
 /// their measure, else that of the job's units for all.
 ReportUnit report_unit(const StudyData& data, const RunMeasure& measure);
 
-/// The same without a chosen one: that of an intensity which a user states.
+/// Unit of an intensity that a user states: report_unit() without a chosen one.
 ReportUnit unit_of_levels(const StudyData& data, const RunMeasure& measure);
 
 /// Where the job that a results file keeps is read again, for messages and relative names: the path

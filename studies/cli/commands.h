@@ -119,7 +119,7 @@ class Options {
   CLI::App& command_;
 };
 
-/// What a command line asks for and the command would ignore: exit code 2.
+/// Error of a command line that asks for what the command would ignore: exit code 2.
 class BadUsage : public Error {
   using Error::Error;
 };

@@ -240,7 +240,7 @@ std::string list_of_study(const std::string& file) {
       fmt::join(data.configurations(), "; "));
 }
 
-/// What is given of that which some kinds alone have.
+/// Given options that some kinds do not take.
 std::vector<std::string> given(const PlotRequest& request) {
   std::vector<std::string> names;
   const auto add = [&](bool there, const char* name) {

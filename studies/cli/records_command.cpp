@@ -291,7 +291,7 @@ study::ScaleTo scale_to_of(const std::string& text) {
                      });
 }
 
-/// Of the spectrum that a measure is of [s]; 0: of none.
+/// Shortest period of the spectral measure [s]; 0: it is none.
 double shortest_period(const groundmotions::Measure& measure) {
   const Eigen::VectorXd periods = groundmotions::spectral_periods(measure);
   return periods.size() == 0 ? 0 : periods[0];

@@ -134,10 +134,9 @@ void check(const FloorOptions& options, const groundmotions::Building& building)
       fmt::format("--position {:g},{:g}: must be within {:g} m, along h1 and h2, of the axis of "
                   "stiffness [m]",
                   place[0], place[1], kFarthest));
-  require(
-      !building.tables || options.source.steps.empty(),
-      "--step: must not go with floor motions of another program, which are of the record as it "
-      "is");
+  require(!building.tables || options.source.steps.empty(),
+          "--step: must not go with floor motions of another program, which fit the unprocessed "
+          "record");
   check_csv_output(options.output, options.overwrite);
 }
 

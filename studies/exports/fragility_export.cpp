@@ -348,7 +348,7 @@ std::vector<LimitState> of_any_item(std::vector<LimitState> states) {
   return states;
 }
 
-/// That of the same requirement, whatever its name.
+/// Consequence of the same requirement, whatever its name.
 /// @throws Error where there is none
 const Consequence& consequence_of(const StudyData& data, const ChosenCurve& curve,
                                   const PricedItem& item, const Consequences& consequences) {

@@ -89,7 +89,7 @@ class EventOutcomes {
     return table_ ? EventCurve(table_->stripes()) : EventCurve(capacities_);
   }
 
-  /// Of a sample that has each record so often.
+  /// Curve of a bootstrap sample that has each record so often.
   EventCurve resampled(const std::vector<int>& times) const {
     if (table_) return EventCurve(table_->resampled(times));
     std::vector<statistics::Capacity> drawn;
@@ -397,7 +397,7 @@ void add_levels(const StudyData& data, const Runs& runs, int threads, StudyLoss&
   }
 }
 
-/// Of what is said for each curve of the study, not the factors and the records.
+/// Facts for the cautions of one step; those of the whole study, its factors and records, are left out.
 CurveAudit audit_of_step(const StudyData& data, std::size_t configuration,
                          const RunMeasure& measure, const Runs& runs, const IsEvent& is_event) {
   CurveAudit audit =

@@ -106,7 +106,7 @@ void refuse_contradictions(const Document& document, const Job& job, const Study
   errors.raise();
 }
 
-/// What `[output]` asks for and a study does not keep.
+/// Lines for keys of `[output]` that a study does not follow.
 std::vector<std::string> output_without_effect(const Document& document, const Study& study) {
   const Node* const output = document.tree().find("output");
   const Node* const stated = output ? output->find("histories") : nullptr;

@@ -28,7 +28,7 @@ findings::List sentences(std::string title, Texts lines) {
 
 // How far items moved, and how the run ended.
 
-/// What lies on its side has no heading.
+/// An item that lies on its side has no heading.
 bool has_heading(const Demands& d) { return d.time_of_overturning < 0; }
 
 std::string place(const Demands& d, const UnitSystem& units) {

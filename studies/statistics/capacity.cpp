@@ -25,7 +25,7 @@ FragilityStatus status_without_fit(double highest_low, double lowest_high) {
   return highest_low < lowest_high ? FragilityStatus::kSeparated : FragilityStatus::kQuasiSeparated;
 }
 
-/// Of brackets that all end or begin at `im`.
+/// Fit of brackets that all end or begin at `im`: capacities jump there.
 struct Step {
   MedianBounds median;        ///< from the share below it, and the nearest ends on either side
   double log_likelihood = 0;  ///< of a step there

@@ -226,7 +226,8 @@ struct LawFit {
   double squares = 0, scale = 1, scale_error = 0;
 };
 
-/// What force and mass make of the motion, the force `shift` samples later; its ends go on.
+/// Displacement by the force alone, taken `shift` samples later: int int F dt dt / M. The force goes on
+/// beyond its ends.
 Eigen::VectorXd driven(const TrialSignals& s, const Span& span, double inertia,
                        std::ptrdiff_t shift) {
   const auto last = static_cast<std::ptrdiff_t>(s.force.size()) - 1;
@@ -528,8 +529,7 @@ Breakaway breakaway_of(const Trial& trial) {
   if (unknown > kLeastChange * kinetic.value)
     lost = fmt::format(
         "mu_k is excluded: it accelerates by {:.2g} m/s2, so that mu_k depends on the height of "
-        "the "
-        "center of mass, {:.2g} % for one of 0 to {:g} m: center_of_mass_height_mm states it",
+        "the center of mass, {:.2g} % for one of 0 to {:g} m: center_of_mass_height_mm states it",
         motion.acceleration, 100 * unknown / kinetic.value, kHighestCenter);
   return {peak.value, locked && !axle, kinetic.value, peak.error, kinetic.error, onset->time, lost};
 }

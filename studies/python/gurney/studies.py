@@ -47,9 +47,10 @@ def study(job: str | os.PathLike[str] | Mapping[str, Any], output: str | os.Path
     command += [f"--{name}" for name, wanted in (("resume", resume), ("overwrite", overwrite))
                 if wanted]
     tell = progress if callable(progress) else _print if progress else lambda line: None
+    start = [program.path(), "run"]
     path, text = _job_file(job, overrides or {}, file)
     with _written(path, text, file, may_replace=overwrite or resume):
-        _follow([program.path(), "run", str(path), *command], tell)
+        _follow([*start, str(path), *command], tell)
     return Results(str(file))
 
 
@@ -100,8 +101,9 @@ def _written(path: pathlib.Path, text: str | None, output: pathlib.Path, *,
         elif not pathlib.Path(f"{output}.parts").exists():  # else finished runs need it
             path.unlink(missing_ok=True)
         raise
-    if replaces:
-        before.unlink()
+    finally:
+        if replaces:  # accepted, even if runs failed or were interrupted
+            before.unlink(missing_ok=True)
 
 
 def _follow(command: list[str], tell: Callable[[str], None]) -> None:

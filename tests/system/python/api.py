@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import support
 
@@ -211,6 +212,12 @@ class Studies(InFolder):
         gurney.study(job, "few.h5", overrides=other, overwrite=True, progress=False).close()
         with open("few.job.json", "rb") as file:
             self.assertNotEqual(file.read(), first)
+        # Runs that fail, after the job was accepted: the job stays, and nothing else.
+        with mock.patch("gurney.studies._follow", side_effect=gurney.Error("ended with 3")):
+            with self.assertRaisesRegex(gurney.Error, "ended with 3"):
+                gurney.study(job, "few.h5", overrides=few, overwrite=True, progress=False)
+        with open("few.job.json", "rb") as file:
+            self.assertEqual(file.read(), first)
         with self.assertRaisesRegex(gurney.InputError, "nowhere.*No such file"):
             gurney.study(job, "nowhere/few.h5", overrides=few)
         self.assertEqual(sorted(os.listdir()), ["few.h5", "few.job.json", "few.log"])

@@ -107,30 +107,35 @@ std::vector<Bad> samples() {
 const char* const kLarge = "units: is the displacement a thousand times too large";
 const char* const kSmall = "units: is the displacement a thousandth, such as m in a column of mm";
 
-void expect_winch_named(const VirtualWinch& winch) {
+void expect_winch_named(
+    const VirtualWinch& winch,
+    const char* ahead = "s ahead of the motion; force and motion must have one clock") {
   const Trial good = with_noise(virtual_winch(winch), 1, 2);
   EXPECT_EQ(judged(good, [](Trial&) {}), "");
   expect_named(good, samples());
   expect_named(
-      good,
-      {{push, "negative force: -30 N; a cable only pulls"},
-       {times(&TrialSignals::displacement, 1000), kLarge},
-       {times(&TrialSignals::displacement, 1e-3), kSmall},
-       {times(&TrialSignals::force, 1000), kSmall},
-       {times(&TrialSignals::force, 1e-3), "or the force in kN in a column of N?"},
-       {times(&TrialSignals::force, 1 / kStandardGravity), "units: is the force in kg"},
-       {times(&TrialSignals::displacement, -1), "displacement falls while the force pulls"},
-       {lag(24), "s behind the motion; force and motion must have one clock"},
-       {lag(-24), "clock"},  // of the rear axle, which jumps: "mass, force or clock are wrong"
-       {part(0.1, 1), "it does not stand still before it is pulled"},
-       {times(&TrialSignals::displacement, 0), "it never breaks away"}});
+      good, {{push, "negative force: -30 N; a cable only pulls"},
+             {times(&TrialSignals::displacement, 1000), kLarge},
+             {times(&TrialSignals::displacement, 1e-3), kSmall},
+             {times(&TrialSignals::force, 1000), kSmall},
+             {times(&TrialSignals::force, 1e-3), "or the force in kN in a column of N?"},
+             {times(&TrialSignals::force, 1 / kStandardGravity), "units: is the force in kg"},
+             {times(&TrialSignals::displacement, -1), "displacement falls while the force pulls"},
+             {lag(24), "s behind the motion; force and motion must have one clock"},
+             {lag(-24), ahead},
+             {part(0.1, 1), "it does not stand still before it is pulled"},
+             {times(&TrialSignals::displacement, 0), "it never breaks away"}});
 }
 
 TEST(BadTrials, OfLockedPullsAreNamed) {
   for (const LockedWheels locked :
        {LockedWheels::kFront, LockedWheels::kRear, LockedWheels::kAll}) {
     SCOPED_TRACE(static_cast<int>(locked));
-    expect_winch_named({40, locked, 0.6, 0.5, 0.02});
+    // Of a front axle the law of motion misses a force that is ahead, before its lag is sure.
+    if (locked == LockedWheels::kFront)
+      expect_winch_named({40, locked, 0.6, 0.5, 0.02}, "mass, force or clock are wrong");
+    else
+      expect_winch_named({40, locked, 0.6, 0.5, 0.02});
   }
 }
 

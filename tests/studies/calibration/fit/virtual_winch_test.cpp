@@ -55,14 +55,28 @@ TEST(Breakaway, FindsWhatItTakesToRoll) {
   EXPECT_LT(found.peak_error, 0.05 * 0.02);
 }
 
-/// Of a locked axle under a force that grows at `rate` from 0.5 s on: with the share s of the load,
+constexpr double kMass = 98.5, kAdded = 0.5, kStep = 1.0 / 120;
+
+/// A pull without samples.
+Trial empty_pull(TrialKind kind) {
+  Trial trial;
+  trial.kind = kind;
+  trial.name = "pull";
+  trial.file = "pull.csv";
+  trial.setup.mass = kMass;
+  trial.setup.added_mass = kAdded;
+  trial.setup.wheel_radius = 0.05;
+  return trial;
+}
+
+/// A locked axle under a force that grows at `rate` from 0.5 s on: with the share s of the load,
 ///
 ///     (M + J) a = F - N [roll + (mu_k - roll) s],   s = s_0 +- (F h - M a h_cg) / (N L)
 ///
 /// is linear in F, so that a = (F k - R) / I from the onset on, and x follows in closed form.
-Trial locked_axle(LockedWheels locked, double center, double seed) {
-  constexpr double kMass = 98.5, kAdded = 0.5, kRate = 40, kStart = 0.5, kPull = 0.14, kBase = 0.98,
-                   kRolling = 0.02, kStatic = 0.6, kKinetic = 0.5, kPath = 0.6, kStep = 1.0 / 120;
+Trial locked_axle(LockedWheels locked, double center, std::uint64_t stream) {
+  constexpr double kRate = 40, kStart = 0.5, kPull = 0.14, kBase = 0.98, kRolling = 0.02,
+                   kStatic = 0.6, kKinetic = 0.5, kPath = 0.6;
   const double g = 9.80665, normal = kMass * g, sign = locked == LockedWheels::kFront ? 1 : -1;
   const double front = 0.53, at_rest = sign > 0 ? front : 1 - front;
   const double of_force = sign * kPull / kBase, of_inertia = sign * kMass * center / kBase;
@@ -74,13 +88,7 @@ Trial locked_axle(LockedWheels locked, double center, double seed) {
   const double resisting = normal * (kRolling + slide * at_rest);
   const double first = (onset * per_force - resisting) / inertia;
   const double growth = kRate * per_force / inertia;
-  Trial trial;
-  trial.kind = TrialKind::kLockedPull;
-  trial.name = "axle";
-  trial.file = "axle.csv";
-  trial.setup.mass = kMass;
-  trial.setup.added_mass = kAdded;
-  trial.setup.wheel_radius = 0.05;
+  Trial trial = empty_pull(TrialKind::kLockedPull);
   trial.setup.locked = locked;
   trial.setup.pull_height = kPull;
   trial.setup.wheelbase = kBase;
@@ -95,17 +103,18 @@ Trial locked_axle(LockedWheels locked, double center, double seed) {
     trial.signals.force.push_back(force);
     trial.signals.displacement.push_back(x);
   }
-  return with_noise(trial, 3, static_cast<std::uint64_t>(seed));
+  return with_noise(trial, 3, stream);
 }
 
 // What accelerates the item also tips it: a center of mass above the cable unloads the front axle.
 // Its height unknown, mu_k is wrong by -3 to 7 % at about 1 m/s2. Three standard errors of noise are
 // allowed, and 0.2 % for the wheels that turn, J / 2 of M.
 TEST(Breakaway, TakesTheHeightOfTheCenterOfMassIntoAccount) {
+  std::uint64_t stream = 0;
   for (const LockedWheels locked : {LockedWheels::kFront, LockedWheels::kRear})
     for (const double center : {0.14, 0.6, 1.0}) {
       SCOPED_TRACE(center);
-      Trial trial = locked_axle(locked, center, center);
+      Trial trial = locked_axle(locked, center, stream++);
       EXPECT_THAT(breakaway_of(trial).moving_lost, HasSubstr("center_of_mass_height_mm"));
       trial.setup.center_height = center;
       const Breakaway found = breakaway_of(trial);
@@ -117,15 +126,9 @@ TEST(Breakaway, TakesTheHeightOfTheCenterOfMassIntoAccount) {
 
 /// An item that rolls from rest under a force that grows at 2 N/s, over 2 m.
 Trial ramp(std::uint64_t stream) {
-  constexpr double kMass = 98.5, kAdded = 0.5, kRate = 2, kStep = 1.0 / 120, kStart = 2;
+  constexpr double kRate = 2, kStart = 2;
   const double onset = kStart + 0.02 * kMass * 9.80665 / kRate;
-  Trial trial;
-  trial.kind = TrialKind::kStartPull;
-  trial.name = "ramp";
-  trial.file = "ramp.csv";
-  trial.setup.mass = kMass;
-  trial.setup.added_mass = kAdded;
-  trial.setup.wheel_radius = 0.05;
+  Trial trial = empty_pull(TrialKind::kStartPull);
   double x = 0;
   for (int i = 0; x < 2; ++i) {
     const double t = i * kStep;
@@ -146,7 +149,7 @@ TEST(Breakaway, FindsNoLagWhereNoneCanBeSeen) {
   }
 }
 
-// A winch that reaches its speed pulls less again: the bend of the force tells the clocks apart.
+// A winch that reaches its speed pulls less again: a force that bends shows by how much its clock is off.
 TEST(Breakaway, FindsALagOfTheForceWhereItBends) {
   for (const int samples : {-18, 18}) {
     Trial trial = with_noise(virtual_winch(winch({}, 2)), 1, 0);
