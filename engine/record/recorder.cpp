@@ -118,8 +118,8 @@ void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impact
   current_.displacement = to.position + r - origin_start_;
   current_.velocity = v + w.cross(r);
   current_.acceleration = a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r));
-  const double yaw = yaw_of(rotation);
-  yaw_ += std::remainder(yaw - yaw_, 2 * std::numbers::pi);
+  // What lies on its side has no heading.
+  if (!has_overturned_) yaw_ += std::remainder(yaw_of(rotation) - yaw_, 2 * std::numbers::pi);
   current_.yaw = yaw_ - yaw_start_;
   current_.tilt = lean_of(rotation);
   current_.orientation = to.rotation;
@@ -145,6 +145,7 @@ void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impact
 }
 
 void Recorder::overturned() {
+  has_overturned_ = true;
   const Vector3 up = current_.orientation * Vector3::UnitZ();
   demands_.direction_of_overturning = std::atan2(up.y(), up.x());
   for (std::size_t i = 0; i < gaps_.size(); ++i)

@@ -74,6 +74,7 @@ class Recorder {
   Vector3 origin_;
   Vector3 origin_start_;
   double yaw_start_, yaw_;
+  bool has_overturned_ = false;
   double gravitational_start_, stored_start_;
   EnergyBalance sampled_, checked_;
   double speed_ = 0, body_speed_ = 0;

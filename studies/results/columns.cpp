@@ -141,7 +141,8 @@ constexpr TableColumn<TetherOutcome> kTether[] = {
 };
 
 constexpr TableColumn<Sample> kSample[] = {
-    {"yaw", "rad", "yaw since the start, not wrapped", &Sample::yaw},
+    {"yaw", "rad", "yaw since the start, not wrapped; from overturning on as it was then",
+     &Sample::yaw},
     {"tilt", "rad", "angle between the item's z axis and the floor normal", &Sample::tilt},
     {"cable_tension", "N", "tension of the cables, summed over drop weights",
      &Sample::cable_tension},

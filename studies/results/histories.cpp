@@ -2,12 +2,23 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "studies/results/names.h"
 
 namespace gurney::study {
+namespace {
+
+/// Of the surface on which an item, or the one whose part it is, stands [m].
+double height_at_start(const Scene& scene, std::size_t item) {
+  while (const auto joint = joint_of(scene, item)) item = scene.joints[*joint].base;
+  const std::optional<Support>& on = scene.items[item].on;
+  return on ? on->height : 0;
+}
+
+}  // namespace
 
 /// Between samples of the record the velocity is quadratic in time, so Simpson's rule
 /// h / 6 (v_0 + 4 v_1/2 + v_1) is its integral but for rounding.
@@ -309,11 +320,13 @@ void add_histories(Hdf5Writer& file, const RunFacts& facts, const Response& resp
   add_names("axis", "floor axis", {"x", "y", "z"});
   add_names("component", "component of a quaternion", {"w", "x", "y", "z"});
   std::vector<double> starts;
-  for (const PlacedItem& item : scene.items)
-    append(starts, Vector3(item.initial.position.x(), item.initial.position.y(), 0));
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
+    const auto& position = scene.items[i].initial.position;
+    append(starts, Vector3(position.x(), position.y(), height_at_start(scene, i)));
+  }
   file.add({"/histories/start",
             "m",
-            "where the item's origin stands on the floor at the start",
+            "where the item's origin is at the start, before it settles on what it stands on",
             {"/histories/item", "/histories/axis"}},
            starts);
   file.add({"/histories/offset", "1", "first sample of the run", {"/histories/run"}},
