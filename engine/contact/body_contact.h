@@ -60,6 +60,7 @@ struct BodyContact {
 struct BodyContactState {
   BodyContact contact;
   Vector3 deflection = Vector3::Zero();  ///< tangential, floor axes [m]
+  Vector3 lead = Vector3::Zero();        ///< of the pressure below what rolls, floor axes [m]
   double compression = 0;                ///< overlap [m]
   bool sliding = false;                  ///< its friction is at the limit
   double approach_speed = 0;             ///< when it last touched, or now while apart [m/s]

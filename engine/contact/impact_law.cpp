@@ -31,7 +31,8 @@ ImpactLaw::ImpactLaw(const ContactConstants& c)
       damping_(c.damping),
       damping_number_(compliant_ ? 0 : damping_number(c.restitution)),
       friction_(c.friction),
-      tangential_stiffness_(kMindlinRatio * c.stiffness) {}
+      tangential_stiffness_(kMindlinRatio * c.stiffness),
+      rolling_resistance_(c.rolling_resistance) {}
 
 double ImpactLaw::damping_slope(const Stage& stage) const {
   return damping_number_ / std::max(stage.approach_speed, kLeastApproach);

@@ -57,6 +57,7 @@ class ImpactLaw {
   /// Slope of the force at the first touch: how fast an impact changes [N/m].
   double impact_stiffness() const { return stiffness_ * (1 + damping_number_); }
   double tangential_stiffness() const { return tangential_stiffness_; }
+  double rolling_resistance() const { return rolling_resistance_; }  ///< [m]
   bool compliant() const { return compliant_; }
 
  private:
@@ -73,7 +74,7 @@ class ImpactLaw {
 
   bool compliant_;
   double stiffness_, damping_, damping_number_, friction_;
-  double tangential_stiffness_;
+  double tangential_stiffness_, rolling_resistance_;
 };
 
 }  // namespace gurney

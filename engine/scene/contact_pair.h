@@ -20,6 +20,8 @@ struct ContactConstants {
   double restitution = 0.3;
   double damping = 0;     ///< c of kCompliant, >= 0 [N s/m]
   double friction = 0.4;  ///< mu >= 0. Assumption, range 0.2 to 0.8.
+  /// b >= 0 of what is round: rolling friction length, moment over normal force [m].
+  double rolling_resistance = 0;
 };
 
 /// Constants of a pair of materials: one of the item, one of the floor or a room shape.

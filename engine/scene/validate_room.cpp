@@ -91,6 +91,7 @@ void validate_room(const Scene& scene) {
     problems.positive(owner + "stiffness", c.stiffness);
     problems.not_negative(owner + "damping", c.damping);
     problems.not_negative(owner + "friction", c.friction);
+    problems.not_negative(owner + "rolling resistance", c.rolling_resistance);
     problems.check(c.restitution >= 0.01 && c.restitution <= 1, owner + "restitution",
                    c.restitution, "in 0.01..1");
   }

@@ -52,6 +52,7 @@ void ContactMemory::match_pair(const std::vector<BodyContact>& contacts, std::si
     BodyContactState& memory = states[match.now] = before_[match.before];
     memory.kept_place = contacts[match.now].same_place(memory.contact);
     if (match.distance >= kSameContactDistance) memory.deflection.setZero();
+    if (match.distance >= kSameContactDistance) memory.lead.setZero();
   }
 }
 

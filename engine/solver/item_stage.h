@@ -53,6 +53,7 @@ class ItemStage {
   void begin_forces(const Input& input, const Velocity& v);
   void add_contact_force(int caster, const Matrix36& chassis, const Matrix32& joints,
                          const Vector3& force);
+  void add_moment(const Vector3& moment) { force_.tail<3>() += moment; }
   /// A force along a generalised direction of the chassis, of a joint; and its slope into K.
   void add_force(const Vector6& direction, double force) { force_ += force * direction; }
   void add_slope(const Vector6& direction, double slope) {
@@ -67,6 +68,7 @@ class ItemStage {
   void keep(int caster) { lanes_of(caster).keep(lane_of(caster)); }
   /// Adds tau J' D J of the chassis; and beside it what a contact on a wheel has, tau D its slope.
   void add_slope(const Matrix6& slope) { matrix_ += slope; }
+  void add_turning_slope(const Matrix3& slope) { matrix_.bottomRightCorner<3, 3>() += slope; }
   void add_joint_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
                        const Matrix3& slope);
   void eliminate();

@@ -40,6 +40,43 @@ Vector3 StageSolver::contact_rates(const ContactWork& work, const std::vector<Ve
   return u;
 }
 
+/// Angular velocity between the bodies [rad/s].
+Vector3 StageSolver::turning(const ContactWork& work, const std::vector<Velocity>& v) const {
+  Vector3 w = v[work.contact->side.item].chassis.tail<3>();
+  if (work.contact->between_items()) w -= v[work.contact->other_side.item].chassis.tail<3>();
+  return w;
+}
+
+/// Of two round bodies the smaller rolls.
+void StageSolver::set_rolling(ContactWork& work) const {
+  work.rolls = false;
+  if (!(work.law->rolling_resistance() > 0)) return;
+  work.resistance.length = work.law->rolling_resistance();
+  const Vector3& n = work.contact->normal;
+  const auto take = [&](const BodyContact::Side& at) {
+    if (at.round < 0) return;
+    const RoundSurface& round =
+        items_[at.item].mechanism().surfaces[static_cast<std::size_t>(at.round)];
+    if (work.rolls && work.resistance.radius <= round.radius) return;
+    work.rolls = true;
+    work.resistance.radius = round.radius;
+    const Vector3 axis = items_[at.item].pose().rotation * round.axis;
+    work.resistance.directions = axis.isZero() ? Matrix3(Matrix3::Identity() - n * n.transpose())
+                                               : Matrix3(axis * axis.transpose());
+  };
+  take(work.contact->side);
+  if (work.contact->between_items()) take(work.contact->other_side);
+}
+
+void StageSolver::add_rolling(const Input& input, std::size_t c, const std::vector<Velocity>& v) {
+  ContactWork& work = contacts_[c];
+  const BodyContactState& memory = input.start->contacts[input.island->first_contact + c];
+  work.rolling = work.resistance.evaluate(memory.lead, turning(work, v), work.force.z(), input.tau);
+  items_[work.contact->side.item].add_moment(work.rolling.moment);
+  if (work.contact->between_items())
+    items_[work.contact->other_side.item].add_moment(-work.rolling.moment);
+}
+
 /// Surely, by the normal alone; most of the contacts that are near do.
 bool StageSolver::stays_apart(const ContactWork& work, const std::vector<Velocity>& v) const {
   constexpr double kRounding = 1e-9;  // [m]
@@ -76,6 +113,7 @@ void StageSolver::update_contacts(const Input& input, const std::vector<Velocity
       if (b.caster >= 0) items_[b.item].keep(b.caster);
     }
     gap -= contact.offset;
+    set_rolling(work);
     work.stage.tau = input.tau;
     // Laws take the compression at zero rate, so that it ends at compression - tau u_z.
     work.stage.compression = -gap + input.tau * contact_rates(work, v).z();
@@ -97,16 +135,20 @@ void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity
     BodyContactState& end = out.end.contacts[first + c];
     end = input.start->contacts[first + c];
     end.deflection = work.frame.topRows<2>().transpose() * result.deflection;
+    end.lead = work.rolls && work.pushes() ? work.rolling.lead : Vector3::Zero();
     end.compression = result.compression;
     end.sliding = result.sliding;
     out.contacts[first + c] = {result.force.z(), u.z(),
                                items_[a.item].pose().position + work.side.point};
     EnergyAccount& power = out.items[a.item].power;
     power.contact_loss += result.sliding_power + result.damping_power;
+    const Vector3 moment = work.rolls && work.pushes() ? work.rolling.moment : Vector3::Zero();
+    power.contact_loss -= moment.dot(turning(work, v));
     out.items[a.item].spring_rates += result.spring_rates;
     if (!work.contact->between_items()) continue;
     // Work that one item gives the other is no loss: the sum over both vanishes but for the contact's own power.
-    const double given = -result.force.dot(rates(b, work.other_side, v));
+    const double given =
+        -result.force.dot(rates(b, work.other_side, v)) - moment.dot(v[b.item].chassis.tail<3>());
     out.items[b.item].power.work_of_neighbours += given;
     power.work_of_neighbours -= given;
   }

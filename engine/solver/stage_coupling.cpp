@@ -102,6 +102,11 @@ void StageSolver::couple(const ContactWork& work, double tau) {
       slope_between(work.in_floor_axes, work.side.point, work.other_side.point);
   K_ba.topLeftCorner<6, 6>() -=
       slope_between(work.in_floor_axes, work.other_side.point, work.side.point);
+  if (work.rolls) {
+    const Matrix3 turning = tau * work.rolling.slope;
+    K_ab.block<3, 3>(3, 3) -= turning;
+    K_ba.block<3, 3>(3, 3) -= turning;
+  }
   if (a.caster < 0 && b.caster < 0) return;
   const Matrix3 slope = tau * work.slope;
   const auto add = [&](Eigen::Index row, const auto& left, Eigen::Index column, const auto& right) {

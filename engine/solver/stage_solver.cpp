@@ -48,7 +48,8 @@ void StageSolver::update_geometry(const Input& input, const std::vector<Velocity
 
 double StageSolver::evaluate_forces(const Input& input, const std::vector<Velocity>& v) {
   for (std::size_t i : input.island->items) items_[i].begin_forces(inputs_[i], v[i]);
-  for (ContactWork& work : contacts_) {
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    ContactWork& work = contacts_[c];
     const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
     if (stays_apart(work, v)) {
       work.force.setZero();
@@ -60,6 +61,7 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
     if (work.contact->between_items())
       items_[b.item].add_contact_force(b.caster, work.other_side.chassis, work.other_side.joints,
                                        -work.force);
+    if (work.rolls) add_rolling(input, c, v);
   }
   add_joint_forces(v);
   double residual = 0;
@@ -79,6 +81,7 @@ void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
     work.in_floor_axes = work.frame.transpose() * slope * work.frame;
     const auto add = [&](const BodyContact::Side& at, const Side& side) {
       items_[at.item].add_slope(slope_between(work.in_floor_axes, side.point, side.point));
+      if (work.rolls) items_[at.item].add_turning_slope(input.tau * work.rolling.slope);
       if (at.caster >= 0)
         items_[at.item].add_joint_slope(at.caster, side.chassis, side.joints, slope);
     };

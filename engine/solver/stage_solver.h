@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/contact/rolling_resistance.h"
 #include "engine/solver/assembly.h"
 #include "engine/solver/block_system.h"
 #include "engine/solver/island.h"
@@ -72,6 +73,9 @@ class StageSolver {
     Vector3 force;
     Matrix3 slope;          // D
     Matrix3 in_floor_axes;  // tau frame' D frame, of the last Newton step
+    bool rolls = false;     // with resistance
+    RollingResistance resistance;
+    RollingResistance::Result rolling;
 
     /// Else force and slope are zero.
     bool pushes() const { return force.z() != 0; }
@@ -101,6 +105,9 @@ class StageSolver {
   Vector3 rates(const BodyContact::Side& at, const Side& side,
                 const std::vector<Velocity>& v) const;
   Vector3 contact_rates(const ContactWork& work, const std::vector<Velocity>& v) const;
+  Vector3 turning(const ContactWork& work, const std::vector<Velocity>& v) const;
+  void set_rolling(ContactWork& work) const;
+  void add_rolling(const Input& input, std::size_t c, const std::vector<Velocity>& v);
   bool stays_apart(const ContactWork& work, const std::vector<Velocity>& v) const;
   void place(const Input& input, const std::vector<Velocity>& v, const Matrix3& frame,
              const BodyContact::Side& at, Side& side) const;

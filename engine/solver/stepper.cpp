@@ -126,6 +126,7 @@ void Stepper::extrapolate(const Island& island, const SceneState& from, double d
     between_.contacts[c] = from.contacts[c];
     between_.contacts[c].deflection =
         extrapolated(from.contacts[c].deflection, first_.end.contacts[c].deflection);
+    between_.contacts[c].lead = extrapolated(from.contacts[c].lead, first_.end.contacts[c].lead);
   }
 }
 

@@ -8,6 +8,14 @@ namespace gurney::equipment {
 
 using config::Range;
 
+namespace {
+
+/// Of what is round and states none: the rolling friction lengths of hard bodies on floors are 0.1 to 2 mm. An
+/// assumption.
+constexpr double kRollingResistance = 0.5;  // [mm]
+
+}  // namespace
+
 Uncertain<ContactConstants> read_contact_constants(Quantities in) {
   ContactConstants fixed;
   config::Table& table = in.table();
@@ -17,6 +25,8 @@ Uncertain<ContactConstants> read_contact_constants(Quantities in) {
   if (compliant) fixed.kind = ContactConstants::Kind::kCompliant;
   Uncertain<ContactConstants> constants(fixed);
   constants.set(&ContactConstants::friction, in.number("friction", Range::not_negative()));
+  constants.set(&ContactConstants::rolling_resistance,
+                in.length_mm("rolling_resistance_mm", Range::not_negative(), kRollingResistance));
   const std::optional<double> stiffness = compliant ? std::nullopt : std::optional(fixed.stiffness);
   constants.set(&ContactConstants::stiffness,
                 in.number("stiffness_n_per_m", Range::positive(), stiffness));
@@ -28,11 +38,13 @@ Uncertain<ContactConstants> read_contact_constants(Quantities in) {
   return constants;
 }
 
-Uncertain<ItemContact> read_item_contact(config::Table table) {
+Uncertain<ItemContact> read_item_contact(config::Table table, bool rolls) {
   ItemContact fixed;
   fixed.material = table.text("material");
   if (table.is_text("material") && fixed.material.empty())
     table.note("material", " = \"\": must be the name of a material");
+  if (!rolls && table.has("rolling_resistance_mm"))
+    table.note("rolling_resistance_mm", ": has no effect: only cylinders and spheres roll");
   Uncertain<ItemContact> contact(fixed);
   contact.set(&ItemContact::constants, read_contact_constants(Quantities(table)));
   return contact;

@@ -23,7 +23,8 @@ struct ItemContact {
 
 /// Reads a table [contact]: restitution, or damping for a compliant contact, not both. Errors are
 /// noted in the table's document; the result is for use only after its `finish`.
-Uncertain<ItemContact> read_item_contact(config::Table table);
+/// @param rolls  whether what it is of has a round shape: else it has no rolling resistance
+Uncertain<ItemContact> read_item_contact(config::Table table, bool rolls);
 
 /// Contact constants of two materials with what they rest on (docs/formats/room_file.md).
 struct MaterialContact {

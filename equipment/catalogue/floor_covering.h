@@ -11,7 +11,7 @@ namespace gurney::equipment {
 /// Effect of a floor covering on the constants of a caster, which are those on smooth vinyl.
 struct FloorCovering {
   std::string name;
-  double rolling_resistance_factor = 1;  ///< on Cr, >= 0
+  double rolling_resistance_factor = 1;  ///< on Cr and b, >= 0
   double friction_factor = 1;            ///< on mu_s and mu_k, >= 0
   std::vector<Assumption> assumptions;
 };

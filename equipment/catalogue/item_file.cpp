@@ -97,9 +97,10 @@ Uncertain<CasterPlace> read_place(Table table, std::size_t index, CasterTypes& t
   return place;
 }
 
-Uncertain<PayloadKind> read_payload(Table table) {
+Uncertain<PayloadKind> read_payload(Table table, const std::vector<PartDescription>& parts) {
   PayloadKind fixed;
   fixed.name = table.text("name");
+  fixed.on = read_carrier(table, "on", parts);
   fixed.count = table.integer("count", 0, kMaxPayloads, 0);
   Uncertain<PayloadKind> payload(std::move(fixed));
   Quantities in(table);
@@ -149,15 +150,18 @@ Uncertain<ItemDescription> read_item(Table table) {
     table.note("caster", fmt::format(": {} casters; must be 0 to {} tables [[caster]]",
                                      stated.casters.size(), EquipmentModel::kMaxCasters));
   if (auto contact = table.table("contact"))
-    item.set(&ItemDescription::contact, read_item_contact(*contact));
+    item.set(&ItemDescription::contact,
+             read_item_contact(*contact,
+                               has_round_shape(table) ||
+                                   std::ranges::any_of(table.tables("part"), has_round_shape)));
   else if (!table.has("contact") && stated.casters.empty())
     table.note("contact", ": missing; an item without casters needs a table [" +
                               table.name_of("contact") + "], how it meets the floor");
-  for (Table& payload : table.tables("payload"))
-    item.append(&ItemDescription::payloads, read_payload(payload));
   read_marked_points(table, &ItemDescription::marked_points, item);
   for (Table& part : table.tables("part"))
     item.append(&ItemDescription::parts, read_part(part, stated.parts));
+  for (Table& payload : table.tables("payload"))
+    item.append(&ItemDescription::payloads, read_payload(payload, stated.parts));
   for (Table& content : table.tables("content"))
     item.append(&ItemDescription::contents, read_content(content, stated.parts));
   check_names(stated.casters, "caster", table);

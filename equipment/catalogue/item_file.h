@@ -30,6 +30,7 @@ struct CasterPlace {
 /// Something an item can carry, stacked upwards from `position`.
 struct PayloadKind {
   std::string name;
+  std::size_t on = 0;                  ///< what carries it: 0 the chassis, i + 1 part i
   double mass = 0;                     ///< of one [kg]
   Vector3 size = Vector3::Zero();      ///< of one, a uniform box [m]
   Vector3 position = Vector3::Zero();  ///< middle of the underside of the lowest, base axes [m]

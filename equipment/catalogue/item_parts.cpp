@@ -18,19 +18,6 @@ using JointKind = Joint::Kind;
 
 const std::vector<std::string> kJointKinds = {"fixed", "hinge", "slider", "ball", "flexible"};
 
-/// Index of the body that `key` names: 0 the chassis, i + 1 part i.
-std::size_t read_carrier(Table& table, const std::string& key,
-                         const std::vector<PartDescription>& parts) {
-  const std::string name = table.text(key, "chassis");
-  std::vector<std::string> known = {"chassis"};
-  for (const PartDescription& part : parts) known.push_back(part.name);
-  const auto found = std::ranges::find(known, name);
-  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  table.note(key, fmt::format(" = \"{}\": must be \"chassis\" or a part before this one{}", name,
-                              config::suggestion(name, known)));
-  return 0;
-}
-
 /// Names of the quantities of a joint in its free direction: in N and m, or in N m and angles.
 struct Keys {
   const char *stiffness, *damping, *friction, *latch, *stop_stiffness, *rest, *lower, *upper;
@@ -123,6 +110,18 @@ std::string read_name(Table& table) {
 
 }  // namespace
 
+std::size_t read_carrier(Table& table, const std::string& key,
+                         const std::vector<PartDescription>& parts) {
+  const std::string name = table.text(key, "chassis");
+  std::vector<std::string> known = {"chassis"};
+  for (const PartDescription& part : parts) known.push_back(part.name);
+  const auto found = std::ranges::find(known, name);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  table.note(key, fmt::format(" = \"{}\": must be \"chassis\" or a part before this one{}", name,
+                              config::suggestion(name, known)));
+  return 0;
+}
+
 Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescription>& before) {
   PartDescription fixed;
   fixed.name = read_name(table);
@@ -164,7 +163,7 @@ Uncertain<ContentDescription> read_content(Table table, const std::vector<PartDe
     of_draw.shape = solids.sample(of);
   });
   if (auto contact = table.table("contact"))
-    content.set(&ContentDescription::contact, read_item_contact(*contact));
+    content.set(&ContentDescription::contact, read_item_contact(*contact, is_round(table)));
   else
     table.note("contact", ": missing; a content needs a table [" + table.name_of("contact") +
                               "], how it meets what it stands on");

@@ -40,6 +40,10 @@ struct ContentDescription {
   ItemContact contact;                 ///< with what it stands on, and all else
 };
 
+/// Index of the body that `key` names: 0 the chassis, i + 1 part i. An unknown name is noted.
+std::size_t read_carrier(config::Table& table, const std::string& key,
+                         const std::vector<PartDescription>& parts);
+
 /// Reads a table [[part]] of an item. Errors are noted in its document.
 /// @param before  the parts that may carry it
 Uncertain<PartDescription> read_part(config::Table table,

@@ -111,11 +111,11 @@ void add_payloads(const PayloadKind& kind, const ItemOptions& options, const Vec
                   LoadedItem& loaded) {
   const auto wanted = options.payloads.find(kind.name);
   const int count = wanted == options.payloads.end() ? kind.count : wanted->second;
+  EquipmentModel& carrier = kind.on == 0 ? loaded.model : loaded.parts[kind.on - 1].model;
   for (int i = 0; i < count; ++i) {
     const Vector3 center = base + kind.position + Vector3(0, 0, (i + 0.5) * kind.size.z());
-    loaded.model.payloads.push_back(
-        {count == 1 ? kind.name : fmt::format("{} {}", kind.name, i + 1), kind.mass, center,
-         solid_box_inertia(kind.mass, kind.size)});
+    carrier.payloads.push_back({count == 1 ? kind.name : fmt::format("{} {}", kind.name, i + 1),
+                                kind.mass, center, solid_box_inertia(kind.mass, kind.size)});
   }
   if (count > 0) add_assumptions(loaded.assumptions, kind.assumptions);
 }
@@ -127,6 +127,7 @@ std::vector<MaterialPair> pairs_of(const std::string& material, const ContactCon
   if (options.floor) {
     pairs.push_back({material, options.floor->name, constants});
     pairs.back().constants.friction *= options.floor->friction_factor;
+    pairs.back().constants.rolling_resistance *= options.floor->rolling_resistance_factor;
   }
   return pairs;
 }
@@ -300,6 +301,8 @@ EquipmentModel as_rigid(const LoadedItem& item) {
     whole.shape.insert(whole.shape.end(), part.model.shape.begin(), part.model.shape.end());
     whole.payloads.push_back({part.model.name, part.model.chassis_mass,
                               part.model.chassis_center_of_mass, part.model.chassis_inertia});
+    whole.payloads.insert(whole.payloads.end(), part.model.payloads.begin(),
+                          part.model.payloads.end());
   }
   for (const LoadedContent& content : item.contents) {
     const Eigen::AngleAxisd turn(content.yaw, Vector3::UnitZ());
@@ -323,7 +326,6 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   model.chassis_center_of_mass = base + item.chassis_center_of_mass;
   model.chassis_inertia = item.chassis_inertia;
   for (const BodyShape& shape : item.shape) model.shape.push_back(shape.moved(base));
-  for (const PayloadKind& kind : item.payloads) add_payloads(kind, options, base, loaded);
   for (std::size_t i = 0; i < item.casters.size(); ++i)
     model.casters.push_back(make_caster(item.casters[i], i, options, loaded.assumptions));
   for (const MarkedPoint& point : item.marked_points)
@@ -331,6 +333,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   add_contact(item.contact, options, loaded);
   for (std::size_t i = 0; i < item.parts.size(); ++i)
     loaded.parts.push_back(load_part(item, i, options, base));
+  for (const PayloadKind& kind : item.payloads) add_payloads(kind, options, base, loaded);
   for (const ContentDescription& content : item.contents) {
     if (options.contents && !has(*options.contents, content.name)) continue;
     loaded.contents.push_back(load_content(item, content, options, base));

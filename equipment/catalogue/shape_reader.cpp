@@ -146,6 +146,13 @@ Uncertain<BodyShape> read_round_or_box(Quantities& in, const std::string& kind) 
 
 }  // namespace
 
+bool is_round(Table& solid) {
+  const std::string& kind = kSolidKinds[solid.choice("kind", kSolidKinds, 0)];
+  return kind == "cylinder" || kind == "sphere";
+}
+
+bool has_round_shape(Table& owner) { return std::ranges::any_of(owner.tables("shape"), is_round); }
+
 Uncertain<Solids> read_solid(Table& table, bool placed) {
   Quantities in(table);
   const std::string& kind = kSolidKinds[table.choice("kind", kSolidKinds, 0)];

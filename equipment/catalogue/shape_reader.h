@@ -15,6 +15,10 @@ namespace gurney::equipment {
 /// @param placed  false: without its place, about the origin
 Uncertain<std::vector<BodyShape>> read_solid(config::Table& table, bool placed);
 
+/// Whether a solid, or a table [[shape]] of `owner`, is one that rolls.
+bool is_round(config::Table& solid);
+bool has_round_shape(config::Table& owner);
+
 /// The tables [[shape]], one or more.
 template <class T>
 void read_shape(config::Table& table, std::vector<BodyShape> T::*shape, Uncertain<T>& result) {

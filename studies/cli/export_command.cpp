@@ -80,6 +80,7 @@ void write_item(const ExportOptions& options, const study::TakeFile& take) {
                      chassis_with_payloads(content.model),
                      content.model.shape,
                      content.pairs.front().constants.friction,
+                     content.pairs.front().constants.rolling_resistance,
                      content.yaw,
                      content.position});
   const study::ItemBodies item = study::item_bodies(loaded.model, std::move(parts));

@@ -200,7 +200,8 @@ std::string mjcf_contents(const ItemBodies& item) {
                 content.name, numbers_text(content.origin), content.yaw) +
             mjcf_inertial(content.body.mass, content.body.center_of_mass, content.body.inertia) +
             mjcf_shape(content.shape, content.name,
-                       fmt::format(" contype=\"1\" friction=\"{} 0 0\"", content.friction)) +
+                       fmt::format(" contype=\"1\" condim=\"6\" friction=\"{} 0 {}\"",
+                                   content.friction, content.rolling_resistance)) +
             "    </body>\n";
   }
   return text;

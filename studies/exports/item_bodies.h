@@ -29,8 +29,8 @@ struct PartBody {
   std::optional<Joint> joint;  ///< base: 0 the chassis, i + 1 part i
   MassProperties body;
   std::vector<BodyShape> shape;
-  double friction = 0;  ///< of a content
-  double yaw = 0;       ///< of a content, about its origin [rad]
+  double friction = 0, rolling_resistance = 0;  ///< of a content [-], [m]
+  double yaw = 0;                               ///< of a content, about its origin [rad]
   Vector3 origin = Vector3::Zero();
 };
 

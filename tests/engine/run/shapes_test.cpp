@@ -148,6 +148,79 @@ TEST(Shapes, RollDownASlope) {
   }
 }
 
+ContactConstants resisting(double length) {
+  ContactConstants constants = rough(0.5);
+  constants.rolling_resistance = length;
+  return constants;
+}
+
+// With F the friction and the moment b N against the turn: m a_c = -F and I w' = F r - b N give, rolling,
+// a_c = -(b / r) g / (1 + k). The pressure needs a path of b to run ahead, and b again when the body stands.
+TEST(Shapes, WhatRollsIsSlowedAndStops) {
+  const double radius = 0.05, length = 1e-3, start = 0.5;
+  for (const Roller& each : kRollers) {
+    Scene scene = solid(2, each.shape, resisting(length));
+    scene.items[0].initial.velocity = {start, 0, 0};
+    const Response r = simulate(scene, {}, blocks::run_for(6, 0.002, 0.05));
+    ASSERT_FALSE(is_failure(r.outcome)) << r.cause;
+    const auto x = [&](double time) {
+      const auto k = static_cast<std::size_t>(std::lround(time / 0.05));
+      return moved(scene, 0, r.items[0].history[k]).x();
+    };
+    // It slides first, until it turns as fast as it moves. Then it rolls.
+    const double slows = length / radius * kGravity / (1 + each.share);
+    EXPECT_NEAR(x(0.5) - 2 * x(1) + x(1.5), -slows * 0.25, 1e-3 * slows) << each.name;
+    const double rolls = x(1.5) - x(0.5), path = rolls * rolls / (2 * slows);
+    EXPECT_NEAR(x(6) - x(1), path, 2 * length) << each.name;
+    EXPECT_NEAR(x(6), x(5.5), 1e-5) << each.name << " stands";
+    EXPECT_LT(r.quality.energy_closure, 1e-3) << each.name;
+  }
+}
+
+// Stands on a slope below b / r, and beyond goes down at g (sin - b / r cos) / (1 + k).
+TEST(Shapes, RollingResistanceHoldsASlope) {
+  const double radius = 0.05, length = 2e-3;
+  for (const Roller& each : kRollers) {
+    Scene scene = solid(2, each.shape, resisting(length));
+    scene.slope = 0.95 * length / radius;
+    const Response stands = simulate(scene, {}, blocks::run_for(20, 0.002, 0.1));
+    EXPECT_LT(stands.items[0].demands.peak_displacement, 2 * length) << each.name;
+    scene.slope = 0.1;
+    const double angle = std::atan(scene.slope);
+    const Response r = simulate(scene, {}, blocks::run_for(1.2, 0.002, 0.1));
+    const double pull = std::sin(angle) - length / radius * std::cos(angle);
+    const auto x = [&](std::size_t k) { return moved(scene, 0, r.items[0].history[k]).x(); };
+    const double speeds_up = kGravity * pull / (1 + each.share);
+    EXPECT_NEAR(x(2) - 2 * x(7) + x(12), -speeds_up * 0.25, 1e-3 * speeds_up) << each.name;
+  }
+}
+
+// What the resistance takes from a ball on a trolley without friction it gives the trolley: momentum stays,
+// and in the end both move together.
+TEST(Shapes, RollingResistanceActsOnBothBodies) {
+  Scene scene = blocks::block(2, {1.5, 1, 0.3}, rough(0));
+  scene.items[0].name = "tray";
+  PlacedItem ball = solid(1, kRollers[1].shape, {}).items[0];
+  ball.name = "ball";
+  ball.model.material = "rubber";
+  ball.on = Support{Support::Kind::kItem, 0, 0.3};
+  ball.initial.position.x() = -0.6;
+  ball.initial.velocity = {0.4, 0, 0};
+  scene.items.push_back(ball);
+  scene.pairs.push_back({"rubber", "steel", resisting(2e-3)});
+  scene.pairs.push_back({"rubber", "concrete", rough(0.5)});
+  const Response r = simulate(scene, {}, blocks::run_for(3, 0.002, 0.1));
+  ASSERT_FALSE(is_failure(r.outcome)) << r.cause;
+  const auto speed = [&](std::size_t i) {
+    const std::vector<Sample>& history = r.items[i].history;
+    return (moved(scene, i, history.back()) - moved(scene, i, history[history.size() - 2])).x() /
+           0.1;
+  };
+  EXPECT_NEAR(2 * speed(0) + 1 * speed(1), 1 * 0.4, 1e-6);
+  EXPECT_NEAR(speed(0), speed(1), 1e-4);
+  EXPECT_LT(r.quality.energy_closure, 1e-3);
+}
+
 // On a tray that the floor carries along, the ball stays back by 5 a / 7.
 TEST(Shapes, ABallRollsOnATrayAndOffIt) {
   Scene scene = blocks::block(40, {1, 1, 0.5}, rough(1));

@@ -94,6 +94,21 @@ TEST_F(ItemContactFile, ACoveringChangesTheFrictionOnTheFloorAlone) {
   EXPECT_EQ(floor_contact(item).stiffness, 2e6);
 }
 
+TEST_F(ItemContactFile, WhatIsRoundResistsRolling) {
+  const std::string ball =
+      std::string(kContact) + "rolling_resistance_mm = 0.8\n" +
+      "[[shape]]\nkind = \"sphere\"\ncenter_mm = [0, 0, 500]\nradius_mm = 50\n";
+  ItemOptions options;
+  options.floor = FloorCovering{"Carpet", 3, 1, {}};
+  const LoadedItem item = load(ball, options);
+  EXPECT_DOUBLE_EQ(item.pairs[0].constants.rolling_resistance, 0.8e-3);
+  EXPECT_DOUBLE_EQ(floor_contact(item).rolling_resistance, 2.4e-3);
+  EXPECT_DOUBLE_EQ(floor_contact(load(kContact)).rolling_resistance, 0.5e-3) << "the default";
+  EXPECT_THAT(
+      error(std::string(kContact) + "rolling_resistance_mm = 0.8\n"),
+      HasSubstr("contact.rolling_resistance_mm: has no effect: only cylinders and spheres roll"));
+}
+
 TEST_F(ItemContactFile, MayBeCompliant) {
   const LoadedItem item = load(
       "[contact]\nmaterial = \"steel\"\nfriction = 0.3\nstiffness_n_per_m = 1e5\n"

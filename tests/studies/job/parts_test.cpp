@@ -49,6 +49,26 @@ const std::string kLamp =
     "mass_kg = 1\n[item.inline.content.contact]\nmaterial = \"rubber\"\nfriction = "
     "0.6\nrestitution = 0.1\n";
 
+const std::string kFiles =
+    "[[item.inline.payload]]\nname = \"files\"\non = \"drawer\"\nposition_mm = [0, 0, 380]\n"
+    "mass_kg = 3\nsize_mm = [80, 80, 20]\ncount = 2\n";
+
+TEST(JobParts, CarryPayloads) {
+  const Scene scene = job_of_text(job_with("", kDrawer + kFiles)).scene;
+  EXPECT_TRUE(scene.items[0].model.payloads.empty());
+  const MassProperties drawer = chassis_with_payloads(scene.items[1].model);
+  EXPECT_DOUBLE_EQ(drawer.mass, 2 + 2 * 3);
+  // The drawer's centre at 400 mm, the files' at 390 and 410 mm.
+  EXPECT_DOUBLE_EQ(drawer.center_of_mass.z(), 0.4);
+  EXPECT_DOUBLE_EQ(
+      chassis_with_payloads(
+          job_of_text(job_with("payloads = {files = 5}\n", kDrawer + kFiles)).scene.items[1].model)
+          .mass,
+      2 + 5 * 3);
+  EXPECT_THAT(errors_of_text(job_with("", kFiles)),
+              HasSubstr("payload[0].on = \"drawer\": must be \"chassis\" or a part"));
+}
+
 TEST(JobParts, AreBodiesOfTheScene) {
   const Job job = job_of_text(job_with("", kDrawer + kArm + kBag + kLamp));
   const Scene& scene = job.scene;
