@@ -1,7 +1,8 @@
 """Writes the tables of docs/shipped_studies.md and docs/validation.md from the results files of their studies.
 
-usage: python3 docs/validation/tables.py FOLDER_OF_RESULTS [NAME...]
+usage: python3 docs/validation/tables.py [--check] FOLDER_OF_RESULTS [NAME...]
 A table follows the line <!-- tables.py NAME --> of its page; its rows are replaced, its head stays.
+--check writes nothing and ends with 1 where the page has other rows.
 needs python3-h5py and python3-pandas, and gurney in the PATH or in the environment variable GURNEY.
 """
 
@@ -126,6 +127,20 @@ def icu_ventilator_ida(results):
         rows = chosen(table, brakes=brakes)
         capacities = rows[rows.overturned].groupby("record").intensity.min()
         yield [brakes, len(rows), *theta_and_beta(curve), f"{capacities.min():.2f}", f"{capacities.max():.1f}"]
+
+
+def crash_cart_drawers(results):
+    table = runs_of(f"{results}/crash_cart_drawers.h5")
+    events = (table.peak_travel > 0.05, table.time_of_fall >= 0, table.peak_displacement > 1,
+              table.overturned & (table.item == "cart"))
+    for brakes in ("off", "on"):
+        for drawers in ("latched", "locked"):
+            cells = []
+            for event in events:
+                happened = chosen(table.assign(event=event), brakes=brakes, drawers=drawers)
+                shares = happened.groupby(["intensity", "record"]).event.any().groupby("intensity").mean()
+                cells.append(", ".join(f"{100 * share:.0f}" for share in shares))
+            yield [brakes, drawers, *cells]
 
 
 def long_period(results):
@@ -266,7 +281,7 @@ def p58(results):
 
 
 TABLES = [neonatal_unit, operating_theatre, ward_corridor, trolley_orientation, icu_ventilator_fragility,
-          icu_ventilator_ida, long_period, ultrasound_pairs, ultrasound_means, isolation, b_over_h,
+          icu_ventilator_ida, crash_cart_drawers, long_period, ultrasound_pairs, ultrasound_means, isolation, b_over_h,
           b_over_h_height, half_locked, p58]
 
 
@@ -277,7 +292,8 @@ def replaced(page, name, rows):
     return re.sub(pattern, lambda found: found.group(1) + body, page)
 
 
-def main(results, names):
+def main(results, names, check):
+    others = []
     for table in TABLES:
         if names and table.__name__ not in names:
             continue
@@ -286,13 +302,20 @@ def main(results, names):
         for path in PAGES:
             before = path.read_text()
             if f"<!-- tables.py {table.__name__} -->" in before:
-                path.write_text(replaced(before, table.__name__, rows))
+                after = replaced(before, table.__name__, rows)
+                others += [line for line in after.splitlines() if line not in before.splitlines()]
+                if not check:
+                    path.write_text(after)
                 found = True
         if not found:
             raise SystemExit(f"no page has a table {table.__name__}")
+    if check and others:
+        raise SystemExit("the pages have other rows than\n" + "\n".join(others))
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
+    check = sys.argv[1:2] == ["--check"]
+    arguments = sys.argv[1 + check:]
+    if not arguments:
         raise SystemExit(__doc__)
-    main(sys.argv[1], sys.argv[2:])
+    main(arguments[0], arguments[1:], check)
