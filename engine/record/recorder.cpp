@@ -10,12 +10,17 @@
 namespace gurney {
 namespace {
 
-double yaw_of(const Matrix3& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); }
+/// Direction of a chassis that tells its heading: its x axis; of a cylinder that lies its axis, which stays
+/// as it rolls.
+Vector3 heading_of(const std::optional<Vector3>& roller) {
+  constexpr double kUpright = 0.5;  // cosine
+  return roller && std::abs(roller->z()) < kUpright ? *roller : Vector3::UnitX();
+}
 
 double tilt_of(const Matrix3& rotation) { return std::acos(std::clamp(rotation(2, 2), -1.0, 1.0)); }
 
-/// Axis of a chassis that is one cylinder, zero of one that is a sphere: a body that rolls does not
-/// overturn.
+/// Axis of a chassis that is one cylinder, zero of one that is a sphere, which has no heading either: a body
+/// that rolls does not overturn.
 std::optional<Vector3> axis_of_roller(const EquipmentModel& model) {
   if (model.shape.size() != 1) return {};
   if (const auto* cylinder = std::get_if<SolidCylinder>(&model.shape[0].solid))
@@ -66,6 +71,8 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
     point_starts_.push_back(start.position + rotation * points_.back());
   }
   origin_start_ = start.position + rotation * origin_;
+  roller_ = axis_of_roller(model);
+  heading_ = heading_of(roller_);
   yaw_start_ = yaw_ = yaw_of(rotation);
   for (const auto& caster : model.casters) trails_.push_back(caster.trail);
   gaps_.resize(mechanism.casters.size());
@@ -77,7 +84,6 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   sampled_ = checked_ = EnergyBalance(stored_start_, least_energy(assembly, item));
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
-  roller_ = axis_of_roller(model);
   current_.tilt = demands_.peak_tilt = lean_of(rotation);
   current_.orientation = start.rotation;
   current_.cable_tension = mechanism.loads.cable_tension(start.loads);
@@ -99,6 +105,11 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
     demands_.wheels[i].peak_normal_force = wheel.normal_force;
     demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);
   }
+}
+
+double Recorder::yaw_of(const Matrix3& rotation) const {
+  const Vector3 heading = rotation * heading_;
+  return std::atan2(heading.y(), heading.x());
 }
 
 double Recorder::lean_of(const Matrix3& rotation) const {

@@ -48,6 +48,7 @@ class Recorder {
 
  private:
   /// Tilt of the item; of one cylinder that of its axis from where it was, of a sphere none [rad].
+  double yaw_of(const Matrix3& rotation) const;
   double lean_of(const Matrix3& rotation) const;
   EnergyAccount complete(const SceneState& state, const EnergyAccount& account) const;
   void observe_wheels(const Stepper::Step& step);
@@ -63,6 +64,7 @@ class Recorder {
   std::vector<Vector3> point_starts_;
   std::vector<double> trails_;
   std::optional<Vector3> roller_;  // axis of a body that rolls, zero of a sphere; chassis axes
+  Vector3 heading_;                // chassis axes; of a sphere zero
   struct Gap {
     double height = 0;  // of the tread above the floor [m]
     double rate = 0;    // [m/s]

@@ -37,6 +37,9 @@ struct Predictability {
   /// Demands of the twin, and of the same run with half the time step and an eighth of the tolerance;
   /// none: that run failed. They judge each demand: engine/response/settled.h.
   std::optional<Demands> twin, half_step;
+  /// Change with half the step that its demands count as having at least (as SettledDemand::least_change)
+  /// because of the items that it may meet.
+  double change_of_neighbours = 0;
 };
 
 const char* name_of(Predictability::Verdict verdict);

@@ -33,18 +33,27 @@ bool is_nothing(const SettledDemand& demand) {
   return nothing(demand.number.value) && nothing(demand.at_half_step);
 }
 
-void set_least_changes(std::vector<SettledDemand>& all) {
+std::vector<SettledDemand> changes_of(const Demands& run, const Predictability& found) {
+  std::vector<SettledDemand> all;
+  if (!found.twin || !found.half_step) return all;
+  const std::vector<DemandNumber> half = numbers_of(*found.half_step),
+                                  twin = numbers_of(*found.twin);
+  for (const DemandNumber& number : numbers_of(run)) {
+    const DemandNumber &at_half = half[all.size()], &of_twin = twin[all.size()];
+    all.push_back({number, at_half.value, of_twin.value, change_between(number, at_half),
+                   change_between(number, of_twin), 0});
+  }
+  return all;
+}
+
+double upper_quartile(const std::vector<SettledDemand>& all) {
   std::vector<double> changes;
   for (const SettledDemand& each : all)
     if (!is_nothing(each)) changes.push_back(std::abs(each.step_change));
-  if (changes.empty()) return;
+  if (changes.empty()) return 0;
   const auto quartile = changes.begin() + static_cast<std::ptrdiff_t>(3 * changes.size() / 4);
   std::ranges::nth_element(changes, quartile);
-  for (SettledDemand& each : all) {
-    if (is_nothing(each) || each.number.is_of_overturning()) continue;
-    each.least_change =
-        each.number.counts_events() ? kInfinite : SettledDemand::kShareOfOthers * *quartile;
-  }
+  return *quartile;
 }
 
 }  // namespace
@@ -104,18 +113,18 @@ bool SettledDemand::predictable() const {
   return std::abs(twin_change) < Predictability::kSensitive * kPerturbation;
 }
 
+double change_of_a_quarter(const Demands& run, const Predictability& found) {
+  return upper_quartile(changes_of(run, found));
+}
+
 std::vector<SettledDemand> settled_demands(const ItemResponse& item) {
-  const auto& found = item.predictability;
-  if (!found || !found->twin || !found->half_step) return {};
-  const std::vector<DemandNumber> half = numbers_of(*found->half_step),
-                                  twin = numbers_of(*found->twin);
-  std::vector<SettledDemand> all;
-  for (const DemandNumber& number : numbers_of(item.demands)) {
-    const DemandNumber &at_half = half[all.size()], &of_twin = twin[all.size()];
-    all.push_back({number, at_half.value, of_twin.value, change_between(number, at_half),
-                   change_between(number, of_twin), 0});
-  }
-  set_least_changes(all);
+  if (!item.predictability) return {};
+  std::vector<SettledDemand> all = changes_of(item.demands, *item.predictability);
+  const double least = SettledDemand::kShareOfOthers *
+                       std::max(upper_quartile(all), item.predictability->change_of_neighbours);
+  for (SettledDemand& each : all)
+    if (!is_nothing(each) && !each.number.is_of_overturning())
+      each.least_change = each.number.counts_events() ? kInfinite : least;
   return all;
 }
 

@@ -47,7 +47,7 @@ struct SettledDemand {
   /// first order it is 2, and a change may be small by chance.
   static constexpr double kMargin = 4;
   /// Change that a number is taken to have at least, over that which a quarter of the numbers of
-  /// its item exceed: among large changes small ones are chance.
+  /// its item exceed, or of one that it may meet: among large changes small ones are chance.
   static constexpr double kShareOfOthers = 0.25;
 
   DemandNumber number;
@@ -66,6 +66,9 @@ struct SettledDemand {
   /// Whether the change of the twin is grown by less than Predictability::kSensitive.
   bool predictable() const;
 };
+
+/// Change with half the time step that a quarter of an item's demands exceed; 0 where a repetition is missing.
+double change_of_a_quarter(const Demands& run, const Predictability& found);
 
 /// All demands of an item, as numbers_of(); empty where a repetition is missing.
 std::vector<SettledDemand> settled_demands(const ItemResponse& item);

@@ -34,10 +34,10 @@ Judged judged_demands(const Scene& scene, const FloorMotion& floor,
                                     twin = numbers_of(*found[i].twin);
     std::vector<bool>& of_item = judged.emplace_back();
     for (std::size_t k = 0; k < numbers.size(); ++k)
-      of_item.push_back(found[i].verdict != Predictability::Verdict::kChaotic &&
-                        is_asked(numbers[k], demands.time_of_overturning >= 0) &&
-                        std::abs(change_between(numbers[k], twin[k])) <
-                            Predictability::kChaotic * kPerturbation);
+      of_item.push_back(
+          found[i].verdict != Predictability::Verdict::kChaotic &&
+          is_asked(numbers[k], demands.time_of_overturning >= 0) && !numbers[k].counts_events() &&
+          std::abs(change_between(numbers[k], twin[k])) < Predictability::kChaotic * kPerturbation);
   }
   return judged;
 }

@@ -61,7 +61,7 @@ JudgedRun run_judged(const Scene& scene, const FloorMotion& floor, const RunOpti
   });
   if (is_failure(response.outcome)) return judged;
   if (at_once && !is_failure(twin.outcome)) found = compare_twin(response, twin);
-  add_half_step(half, found);
+  add_half_step(scene, response, half, found);
   for (std::size_t i = 0; i < found.size(); ++i) response.items[i].predictability = found[i];
   return judged;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/response/settled.h"
 #include "engine/run/simulate.h"
 #include "engine/scene/perturbed.h"
 
@@ -63,6 +64,58 @@ Predictability of_item(const ItemResponse& run, const ItemResponse& twin) {
   return result;
 }
 
+/// Radius of the circle about its origin that holds an item in the plan, lying or standing [m].
+double radius_of(const EquipmentModel& model, bool lies) {
+  double radius = 0;
+  for (const BodyShape& shape : model.shape)
+    for (const Vector3& point : outline_points(shape))
+      radius = std::max(radius, lies ? point.norm() : point.head<2>().norm());
+  return radius;
+}
+
+/// How far places of an item change with half the step [m].
+double change_of_place(const Demands& run, const Demands& half) {
+  return std::max({std::abs(run.peak_displacement - half.peak_displacement),
+                   std::abs(run.peak_displacement_x - half.peak_displacement_x),
+                   std::abs(run.peak_displacement_y - half.peak_displacement_y),
+                   std::abs(run.residual_displacement_x - half.residual_displacement_x),
+                   std::abs(run.residual_displacement_y - half.residual_displacement_y)});
+}
+
+/// Least distance of two items' circles in a run; a bound from their peaks where it has no history [m].
+double least_gap(const Scene& scene, const Response& run, std::size_t i, std::size_t j) {
+  const ItemResponse &a = run.items[i], &b = run.items[j];
+  const auto radius = [&](std::size_t k) {
+    return radius_of(scene.items[k].model, run.items[k].demands.time_of_overturning >= 0);
+  };
+  const Vector2 from =
+      (scene.items[i].initial.position - scene.items[j].initial.position).head<2>();
+  double distance = from.norm() - a.demands.peak_displacement - b.demands.peak_displacement;
+  const std::size_t samples = std::min(a.history.size(), b.history.size());
+  for (std::size_t k = 0; k < samples; ++k) {
+    const Vector2 apart = from + (a.history[k].displacement - b.history[k].displacement).head<2>();
+    distance = k == 0 ? apart.norm() : std::min(distance, apart.norm());
+  }
+  return distance - radius(i) - radius(j);
+}
+
+/// Whether errors of the time step may decide that two items meet or how. What stands on another or hangs
+/// on it acts on it all the time, which its own changes show.
+bool may_meet(const Scene& scene, const Response& run, const Response& half, std::size_t i,
+              std::size_t j) {
+  const auto carries = [&](std::size_t below, std::size_t above) {
+    const std::optional<Support>& on = scene.items[above].on;
+    const auto joint = joint_of(scene, above);
+    return (on && on->kind == Support::Kind::kItem && on->index == below) ||
+           (joint && scene.joints[*joint].base == below);
+  };
+  if (carries(i, j) || carries(j, i)) return false;
+  const auto change = [&](std::size_t k) {
+    return change_of_place(run.items[k].demands, half.items[k].demands);
+  };
+  return least_gap(scene, run, i, j) < SettledDemand::kMargin * (change(i) + change(j));
+}
+
 }  // namespace
 
 std::vector<Predictability> compare_twin(const Response& run, const Response& twin) {
@@ -96,9 +149,17 @@ Response half_step_run(const Scene& scene, const FloorMotion& floor,
   return simulate(scene, floor, finer);
 }
 
-void add_half_step(const Response& half, std::vector<Predictability>& of_items) {
+void add_half_step(const Scene& scene, const Response& run, const Response& half,
+                   std::vector<Predictability>& of_items) {
   if (is_failure(half.outcome)) return;
-  for (std::size_t i = 0; i < of_items.size(); ++i) of_items[i].half_step = half.items[i].demands;
+  const std::size_t count = of_items.size();
+  for (std::size_t i = 0; i < count; ++i) of_items[i].half_step = half.items[i].demands;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j)
+      if (i != j && may_meet(scene, run, half, i, j))
+        of_items[i].change_of_neighbours =
+            std::max(of_items[i].change_of_neighbours,
+                     change_of_a_quarter(run.items[j].demands, of_items[j]));
 }
 
 }  // namespace gurney

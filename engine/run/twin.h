@@ -26,7 +26,9 @@ Response twin_run(const Scene& scene, const FloorMotion& floor, const Simulation
 Response half_step_run(const Scene& scene, const FloorMotion& floor,
                        const SimulationSettings& settings);
 
-/// Takes the demands of each item at half step; nothing of a run that failed.
-void add_half_step(const Response& half, std::vector<Predictability>& of_items);
+/// Takes the demands of each item at half step, and what they say of items that may meet; nothing of a run
+/// that failed.
+void add_half_step(const Scene& scene, const Response& run, const Response& half,
+                   std::vector<Predictability>& of_items);
 
 }  // namespace gurney

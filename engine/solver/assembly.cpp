@@ -1,5 +1,7 @@
 #include "engine/solver/assembly.h"
 
+#include "engine/base/units.h"
+
 namespace gurney {
 
 Assembly::Assembly(const Scene& scene)
@@ -85,11 +87,31 @@ double Assembly::effective_mass(const BodyContact& contact, const SceneState& st
   return 1 / mobility;
 }
 
+std::optional<Assembly::Roller> Assembly::roller(const BodyContact& contact) const {
+  std::optional<Roller> found;
+  const auto take = [&](const BodyContact::Side& side) {
+    if (side.round < 0) return;
+    const Mechanism& item = items[side.item];
+    const RoundSurface& round = item.surfaces[static_cast<std::size_t>(side.round)];
+    if (found && found->resistance.radius <= round.radius) return;
+    found = {{.radius = round.radius, .weight = item.total_mass * kStandardGravity},
+             side.item,
+             round.axis};
+  };
+  take(contact.side);
+  if (contact.between_items()) take(contact.other_side);
+  if (!found) return {};
+  found->resistance.length = laws.of(contact).rolling_resistance();
+  return found->resistance.length > 0 ? found : std::nullopt;
+}
+
 double Assembly::contact_energy(std::size_t item, const SceneState& state) const {
   double energy = 0;
-  for (const BodyContactState& memory : state.contacts)
-    if (memory.contact.side.item == item)
-      energy += laws.of(memory.contact).stored_energy(memory.compression, memory.deflection.norm());
+  for (const BodyContactState& memory : state.contacts) {
+    if (memory.contact.side.item != item) continue;
+    energy += laws.of(memory.contact).stored_energy(memory.compression, memory.deflection.norm());
+    if (const auto of = roller(memory.contact)) energy += of->resistance.stored_energy(memory.lead);
+  }
   return energy;
 }
 

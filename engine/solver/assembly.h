@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "engine/contact/rolling_resistance.h"
 #include "engine/solver/contact_laws.h"
 #include "engine/solver/joint_law.h"
 #include "engine/solver/mechanism.h"
@@ -43,6 +45,14 @@ struct Assembly {
   double mobility(const JointLaw::Rows& rows, std::size_t joint, const SceneState& state) const;
   /// Energy in the joint of which this item is the part [J].
   double joint_energy(std::size_t item, const SceneState& state) const;
+
+  /// Resistance of what rolls there, its directions aside; of two round bodies the smaller.
+  struct Roller {
+    RollingResistance resistance;
+    std::size_t item = 0;
+    Vector3 axis = Vector3::Zero();  ///< of a cylinder, chassis axes; of a sphere zero
+  };
+  std::optional<Roller> roller(const BodyContact& contact) const;
 
   /// Energy in the contacts whose first side is of this item [J].
   double contact_energy(std::size_t item, const SceneState& state) const;

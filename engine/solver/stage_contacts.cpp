@@ -47,25 +47,15 @@ Vector3 StageSolver::turning(const ContactWork& work, const std::vector<Velocity
   return w;
 }
 
-/// Of two round bodies the smaller rolls.
 void StageSolver::set_rolling(ContactWork& work) const {
-  work.rolls = false;
-  if (!(work.law->rolling_resistance() > 0)) return;
-  work.resistance.length = work.law->rolling_resistance();
+  const auto roller = assembly_.roller(*work.contact);
+  work.rolls = roller.has_value();
+  if (!roller) return;
+  work.resistance = roller->resistance;
+  const Vector3 axis = items_[roller->item].pose().rotation * roller->axis;
   const Vector3& n = work.contact->normal;
-  const auto take = [&](const BodyContact::Side& at) {
-    if (at.round < 0) return;
-    const RoundSurface& round =
-        items_[at.item].mechanism().surfaces[static_cast<std::size_t>(at.round)];
-    if (work.rolls && work.resistance.radius <= round.radius) return;
-    work.rolls = true;
-    work.resistance.radius = round.radius;
-    const Vector3 axis = items_[at.item].pose().rotation * round.axis;
-    work.resistance.directions = axis.isZero() ? Matrix3(Matrix3::Identity() - n * n.transpose())
-                                               : Matrix3(axis * axis.transpose());
-  };
-  take(work.contact->side);
-  if (work.contact->between_items()) take(work.contact->other_side);
+  work.resistance.directions = axis.isZero() ? Matrix3(Matrix3::Identity() - n * n.transpose())
+                                             : Matrix3(axis * axis.transpose());
 }
 
 void StageSolver::add_rolling(const Input& input, std::size_t c, const std::vector<Velocity>& v) {
@@ -135,20 +125,22 @@ void StageSolver::finish_contacts(const Input& input, const std::vector<Velocity
     BodyContactState& end = out.end.contacts[first + c];
     end = input.start->contacts[first + c];
     end.deflection = work.frame.topRows<2>().transpose() * result.deflection;
-    end.lead = work.rolls && work.pushes() ? work.rolling.lead : Vector3::Zero();
+    RollingResistance::Result rolling;
+    if (work.rolls)  // apart, the pressure only relaxes
+      rolling = work.pushes() ? work.rolling
+                              : work.resistance.evaluate(end.lead, Vector3::Zero(), 0, input.tau);
+    end.lead = rolling.lead;
     end.compression = result.compression;
     end.sliding = result.sliding;
     out.contacts[first + c] = {result.force.z(), u.z(),
                                items_[a.item].pose().position + work.side.point};
     EnergyAccount& power = out.items[a.item].power;
-    power.contact_loss += result.sliding_power + result.damping_power;
-    const Vector3 moment = work.rolls && work.pushes() ? work.rolling.moment : Vector3::Zero();
-    power.contact_loss -= moment.dot(turning(work, v));
-    out.items[a.item].spring_rates += result.spring_rates;
+    power.contact_loss += result.sliding_power + result.damping_power + rolling.loss;
+    out.items[a.item].spring_rates += result.spring_rates + rolling.spring_rates;
     if (!work.contact->between_items()) continue;
     // Work that one item gives the other is no loss: the sum over both vanishes but for the contact's own power.
-    const double given =
-        -result.force.dot(rates(b, work.other_side, v)) - moment.dot(v[b.item].chassis.tail<3>());
+    const double given = -result.force.dot(rates(b, work.other_side, v)) -
+                         rolling.moment.dot(v[b.item].chassis.tail<3>());
     out.items[b.item].power.work_of_neighbours += given;
     power.work_of_neighbours -= given;
   }

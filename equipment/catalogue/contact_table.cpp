@@ -10,13 +10,12 @@ using config::Range;
 
 namespace {
 
-/// Of what is round and states none: the rolling friction lengths of hard bodies on floors are 0.1 to 2 mm. An
-/// assumption.
+/// Rolling friction length of what is round and states none.
 constexpr double kRollingResistance = 0.5;  // [mm]
 
 }  // namespace
 
-Uncertain<ContactConstants> read_contact_constants(Quantities in) {
+Uncertain<ContactConstants> read_contact_constants(Quantities in, bool rolls) {
   ContactConstants fixed;
   config::Table& table = in.table();
   const bool compliant = table.has("damping_n_s_per_m"), rebounds = table.has("restitution");
@@ -25,8 +24,14 @@ Uncertain<ContactConstants> read_contact_constants(Quantities in) {
   if (compliant) fixed.kind = ContactConstants::Kind::kCompliant;
   Uncertain<ContactConstants> constants(fixed);
   constants.set(&ContactConstants::friction, in.number("friction", Range::not_negative()));
-  constants.set(&ContactConstants::rolling_resistance,
-                in.length_mm("rolling_resistance_mm", Range::not_negative(), kRollingResistance));
+  StatedQuantity rolling =
+      in.length_mm("rolling_resistance_mm", Range::not_negative(), kRollingResistance);
+  if (rolls && !table.has("rolling_resistance_mm")) {
+    rolling.reason = "hard bodies on floors; the file states none";
+    rolling.low = 0.1;
+    rolling.high = 2;
+  }
+  constants.set(&ContactConstants::rolling_resistance, rolling);
   const std::optional<double> stiffness = compliant ? std::nullopt : std::optional(fixed.stiffness);
   constants.set(&ContactConstants::stiffness,
                 in.number("stiffness_n_per_m", Range::positive(), stiffness));
@@ -46,7 +51,7 @@ Uncertain<ItemContact> read_item_contact(config::Table table, bool rolls) {
   if (!rolls && table.has("rolling_resistance_mm"))
     table.note("rolling_resistance_mm", ": has no effect: only cylinders and spheres roll");
   Uncertain<ItemContact> contact(fixed);
-  contact.set(&ItemContact::constants, read_contact_constants(Quantities(table)));
+  contact.set(&ItemContact::constants, read_contact_constants(Quantities(table), rolls));
   return contact;
 }
 
@@ -87,7 +92,7 @@ ContactTable read_contacts(Table& parent) {
                  ": the pair of '" + fixed.one + "' and '" + fixed.other + "' is there already");
     const std::string part = fixed.one + "-" + fixed.other;
     Uncertain<MaterialContact> contact(fixed);
-    contact.set(&MaterialContact::constants, read_contact_constants(Quantities(table)));
+    contact.set(&MaterialContact::constants, read_contact_constants(Quantities(table), false));
     contact.add([path, part](MaterialContact& of_draw, Sampler&) {
       name_assumptions(path, part, of_draw.assumptions);
     });

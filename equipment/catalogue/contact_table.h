@@ -12,7 +12,8 @@ namespace gurney::equipment {
 
 /// The keys of a contact's constants: friction, and restitution, with a numerical stiffness if
 /// wanted, or stiffness and damping of a compliant contact. Errors are noted in the document.
-Uncertain<ContactConstants> read_contact_constants(Quantities in);
+/// @param rolls  whether they are of a round body: what it does not state is an assumption then
+Uncertain<ContactConstants> read_contact_constants(Quantities in, bool rolls);
 
 /// How the chassis of an item, or its feet, meet a hard smooth surface: the floor, a wall.
 struct ItemContact {

@@ -191,6 +191,13 @@ std::string mjcf_parts(const ItemBodies& item, std::size_t base) {
   return text;
 }
 
+bool rolls(const PartBody& content) {
+  return std::ranges::any_of(content.shape, [](const BodyShape& shape) {
+    return std::holds_alternative<SolidCylinder>(shape.solid) ||
+           std::holds_alternative<SolidSphere>(shape.solid);
+  });
+}
+
 std::string mjcf_contents(const ItemBodies& item) {
   std::string text;
   for (const PartBody& content : item.parts) {
@@ -200,8 +207,10 @@ std::string mjcf_contents(const ItemBodies& item) {
                 content.name, numbers_text(content.origin), content.yaw) +
             mjcf_inertial(content.body.mass, content.body.center_of_mass, content.body.inertia) +
             mjcf_shape(content.shape, content.name,
-                       fmt::format(" contype=\"1\" condim=\"6\" friction=\"{} 0 {}\"",
-                                   content.friction, content.rolling_resistance)) +
+                       rolls(content)
+                           ? fmt::format(" contype=\"1\" condim=\"6\" friction=\"{} 0 {}\"",
+                                         content.friction, content.rolling_resistance)
+                           : fmt::format(" contype=\"1\" friction=\"{} 0 0\"", content.friction)) +
             "    </body>\n";
   }
   return text;

@@ -328,7 +328,25 @@ void stand_on(Scene& scene, std::size_t index, const std::string& name, const co
   item.on = *on;
 }
 
-/// Notes each [[room.contact]] of the job with a material that nothing has: it changes nothing.
+/// Materials of bodies with a cylinder or a sphere.
+std::set<std::string> round_materials(const JobParts& job) {
+  std::set<std::string> materials;
+  const auto take = [&](const EquipmentModel& model) {
+    for (const BodyShape& shape : model.shape)
+      if (std::holds_alternative<SolidCylinder>(shape.solid) ||
+          std::holds_alternative<SolidSphere>(shape.solid))
+        materials.insert(model.material.empty() ? kUsualItem : model.material);
+  };
+  for (const PlacedItem& item : job.scene.items) take(item.model);
+  for (const JobParts::Unfolded& of_item : job.unfolded) {
+    for (const equipment::LoadedPart& part : of_item.parts) take(part.model);
+    for (const equipment::LoadedContent& content : of_item.contents) take(content.model);
+  }
+  return materials;
+}
+
+/// Notes each [[room.contact]] of the job with a material that nothing has, or with a resistance of what does
+/// not roll: it changes nothing.
 void note_idle_contacts(Table& root, const std::string& floor_material, JobReading& job) {
   auto room = root.table("room");
   if (!room) return;
@@ -337,7 +355,16 @@ void note_idle_contacts(Table& root, const std::string& floor_material, JobReadi
     there.insert(item.model.material.empty() ? kUsualItem : item.model.material);
   for (const RoomShape& shape : job.stated().room.shapes) there.insert(shape.material);
   const std::vector<std::string> known(there.begin(), there.end());
-  for (Table& contact : room->tables("contact"))
+  const std::set<std::string> rolling = round_materials(job.stated());
+  for (Table& contact : room->tables("contact")) {
+    if (contact.has("rolling_resistance_mm") &&
+        std::ranges::none_of(contact.texts("materials"),
+                             [&](const auto& material) { return rolling.contains(material); }))
+      job.add(
+          [line = fmt::format("{}: {}: has no effect: nothing round is of these materials",
+                              contact.where("rolling_resistance_mm"),
+                              contact.name_of("rolling_resistance_mm"))](
+              JobParts& of_draw, equipment::Sampler&) { of_draw.without_effect.push_back(line); });
     for (const std::string& material : contact.texts("materials"))
       if (!there.contains(material))
         job.add([line = fmt::format("{}: {}: nothing is of the material '{}'{}",
@@ -346,6 +373,7 @@ void note_idle_contacts(Table& root, const std::string& floor_material, JobReadi
                     JobParts& of_draw, equipment::Sampler&) {
           of_draw.without_effect.push_back(line);
         });
+  }
 }
 
 }  // namespace

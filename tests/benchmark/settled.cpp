@@ -81,7 +81,7 @@ LabelledRun labelled_run(const SettledRegime& regime, int k, int motions) {
   Response run = simulate(scene, floor, settings);
   std::vector<Predictability> found = predictability(scene, floor, settings, run);
   if (found.empty()) return {};
-  add_half_step(half_step_run(scene, floor, settings), found);
+  add_half_step(scene, run, half_step_run(scene, floor, settings), found);
   run.items[0].predictability = found[0];
   const Response finest = simulate(scene, floor, {.time_step = kFinestStep, .history_step = 0});
   LabelledRun labelled{found[0].verdict, settled_demands(run.items[0]), {}};

@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "engine/response/settled.h"
 #include "engine/run/refine.h"
 #include "engine/run/run.h"
 #include "engine/run/simulate.h"
 #include "engine/run/twin.h"
+#include "studies/verification/scenes/blocks.h"
 #include "studies/verification/scenes/small_scenes.h"
 
 namespace gurney {
@@ -141,7 +145,8 @@ TEST(HalfStep, HasTheDemandsOfTheFinerRun) {
   finer.time_step = 0.004;
   finer.tolerance = 0.1 / 8;  // of second order: errors of a step go with its cube
   std::vector<Predictability> found(1);
-  add_half_step(half_step_run(scene, floor, settings), found);
+  add_half_step(scene, simulate(scene, floor, settings), half_step_run(scene, floor, settings),
+                found);
   const Demands expected = simulate(scene, floor, finer).items[0].demands;
   EXPECT_GT(expected.peak_tilt, Predictability::kLeastTilt);
   ASSERT_TRUE(found[0].half_step);
@@ -150,12 +155,45 @@ TEST(HalfStep, HasTheDemandsOfTheFinerRun) {
   EXPECT_EQ(found[0].half_step->wheels[2].skid_distance, expected.wheels[2].skid_distance);
 }
 
+/// Labels of the first of two blocks, 1 m wide and `apart` from each other, of which half the step moves the
+/// second by 5 cm and the first not at all.
+std::vector<SettledDemand> beside_an_unsettled_block(double apart) {
+  Scene scene = blocks::block(10, {1, 1, 1}, {});
+  scene.items.push_back(scene.items[0]);
+  scene.items[1].initial.position.x() = 1 + apart;
+  Response run;
+  run.items.resize(2);
+  run.items[0].demands.peak_displacement = run.items[1].demands.peak_displacement = 0.1;
+  Response half = run;
+  half.items[1].demands.peak_displacement = 0.15;
+  std::vector<Predictability> found(2);
+  for (Predictability& each : found) each.twin = run.items[0].demands;
+  add_half_step(scene, run, half, found);
+  run.items[0].predictability = found[0];
+  return settled_demands(run.items[0]);
+}
+
+// Circles of radius sqrt(2) / 2 m about blocks that move 0.1 m each: they may meet if what is left, apart less
+// 0.41 and 0.2 m, is within 4 times 0.05 m.
+TEST(HalfStep, OfANeighbourThatMayBeMetIsThatOfTheItem) {
+  const auto label = [](double apart) {
+    return std::ranges::find_if(beside_an_unsettled_block(apart),
+                                [](const SettledDemand& each) {
+                                  return std::string_view(each.number.name) == "peak_displacement";
+                                })
+        ->within();
+  };
+  EXPECT_EQ(label(0.83), 0.01);
+  // A third of 0.15 m changes; a quarter of that times 4 is more than 10 %.
+  EXPECT_GT(label(0.80), 0.1);
+}
+
 /// Twin and half step of each way to choose the step, made one after the other.
 Predictability judged_in_turn(const Scene& scene, const FloorMotion& floor,
                               const RunOptions& options, const Response& run) {
   const SimulationSettings settings = refined_settings(options, run.quality);
   std::vector<Predictability> found = predictability(scene, floor, settings, run);
-  add_half_step(half_step_run(scene, floor, settings), found);
+  add_half_step(scene, run, half_step_run(scene, floor, settings), found);
   return found.at(0);
 }
 

@@ -195,6 +195,32 @@ TEST(Shapes, RollingResistanceHoldsASlope) {
   }
 }
 
+// Below the limit the body rocks on its flat: of what the floor gives, the spring gives back all that damping
+// leaves, which is no loss.
+TEST(Shapes, RockingWithinTheRollingLengthKeepsItsEnergyBalance) {
+  for (const Roller& each : kRollers) {
+    const Scene scene = solid(2, each.shape, resisting(2e-3));
+    const auto count = Eigen::Index{4001};
+    Eigen::Matrix3Xd a = Eigen::Matrix3Xd::Zero(3, count);
+    for (Eigen::Index k = 0; k < count; ++k)
+      a(0, k) = 0.01 * kGravity * std::sin(2 * kPi * 0.001 * static_cast<double>(k));
+    const Response r = simulate(scene, {0.001, a}, blocks::run_for(4, 0.002, 0.1));
+    ASSERT_FALSE(is_failure(r.outcome)) << r.cause;
+    EXPECT_LT(r.items[0].demands.peak_displacement, 4e-3) << each.name;
+    EXPECT_LT(r.quality.energy_closure, 1e-3) << each.name;
+  }
+}
+
+// A cylinder that rolls keeps the heading of its axis, and a sphere has none.
+TEST(Shapes, WhatRollsDoesNotTurn) {
+  for (const Roller& each : kRollers) {
+    Scene scene = solid(2, each.shape, rough(0.5));
+    scene.slope = 0.1;
+    const Response r = simulate(scene, {}, blocks::run_for(1.2, 0.002, 0.1));
+    EXPECT_LT(r.items[0].demands.peak_yaw, 1e-6) << each.name;
+  }
+}
+
 // What the resistance takes from a ball on a trolley without friction it gives the trolley: momentum stays,
 // and in the end both move together.
 TEST(Shapes, RollingResistanceActsOnBothBodies) {
