@@ -83,9 +83,18 @@ def keeper(row):
     return keeping[0] if keeping else most_kept(row)
 
 
+def keepers(row):
+    """Settings named as those that keep an item in service: its keeper, or where nothing is settled all that do if not
+    every one does."""
+    if keeper(row):
+        return [keeper(row)]
+    keeping = [setting for setting in SETTINGS if keeps(row, setting)]
+    return keeping if action(row) == "open" and len(keeping) < len(SETTINGS) else []
+
+
 def says(row):
     """The advice, with both settings where they conflict."""
-    of, kept = action(row), keeper(row)
+    of, kept = action(row), " or ".join(keepers(row))
     if of == "conflict":
         return f"{row['best']}: fewest days; {kept}: keeps it in service"
     return ACTIONS[of] + (f"; {kept}: keeps it in service" if kept else "")
@@ -127,6 +136,8 @@ class Advice:
             named = [s for s in likely(row) if not keeps(row, s)] + [keeper(row)]
             counts = "" if keeper(row) == likely(row)[0] else ": for life support that counts"
             yield f"its service is lost {', '.join(map(of, named))}{counts}"
+        elif keepers(row):
+            yield f"its service is lost {', '.join(map(of, SETTINGS))}"
 
     def least(self, item):
         """How sure it is which setting has the fewest days, and what decides."""

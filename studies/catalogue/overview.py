@@ -88,7 +88,8 @@ def untrue(tables, path):
         lost = {s: round(100 * float(of["lost_" + s])) for s in SETTINGS}
         share = {s: float(of["share_" + s]) for s in SETTINGS}
         few = [s for s in SETTINGS if f"{s}: fewest days" in row["says"]]
-        kept = [s for s in SETTINGS if f"{s}: keeps it in service" in row["says"]]
+        named = row["says"].partition(": keeps it in service")[0].rpartition("; ")[2]
+        kept = [s for s in SETTINGS if s in named.split(" or ") and "keeps it in service" in row["says"]]
         none = "do not keep it in service" in row["says"]
         told = [s for s in SETTINGS if f"{s} {percent(share[s])} %" in row["shares"]]
         yield from (f"{', '.join(where)}: '{row['says']}', '{row['shares']}' where {wrong}" for wrong, it_is in (

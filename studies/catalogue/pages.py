@@ -17,8 +17,8 @@ import sys
 import checks
 import overview
 from advice import (ACTIONS, FLOOR, LIFE_SUPPORT, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, action, days,
-                    interval_words, keeper, mark, percent, says, shares)
-from catalogue import VARIANCE, sheet_of
+                    interval_words, keepers, mark, percent, says, shares)
+from catalogue import LEVELS_OF_CURVES, VARIANCE, sheet_of
 from losses import SETTINGS
 from tables import FURTHER, much_better
 from words import read, wrapped
@@ -27,6 +27,7 @@ WHERE = (FLOOR, PLACE)  # of the overview
 MAPPED = (0.4, 0.8, 1.2)  # [m/s] of the speeds of losses.csv
 MOVED = ["moved 0.1 m", "moved 0.3 m", "moved 1 m"]
 HIT = ["hit at 0.4 m/s", "hit at 0.8 m/s"]
+HIGHEST = 2 * max(LEVELS_OF_CURVES)  # extrapolated medians above say only that [m/s]
 SHOWN = 0.05  # of p, adjusted for the number of constants
 
 
@@ -37,6 +38,8 @@ CAUTION = ("Synthetic motions, and mostly assumed parameters of a class of items
 def cell(row):
     if row["theta"]:
         mark = "*" if row["cautions"] and ("only" in row["cautions"] or "extrapolated" in row["cautions"]) else ""
+        if mark and float(row["theta"]) > HIGHEST:
+            return f"> {HIGHEST:g}*"
         return f"{float(row['theta']):.2f} ({float(row['beta']):.2f}){mark}"
     return f"{row['exceed']}/{row['runs']}"
 
@@ -60,7 +63,8 @@ def decisions(advice, names):
         row = advice.row(item)
         if action(row) == "conflict":
             return f"[{names[item]}]({item}.md) ({says(row)})"
-        return f"[{names[item]}]({item}.md)" + (f" ({keeper(row)} keeps it in service)" if keeper(row) else "")
+        kept = " or ".join(keepers(row))
+        return f"[{names[item]}]({item}.md)" + (f" ({kept} keeps it in service)" if kept else "")
 
     lines = []
     for each, words in ACTIONS.items():

@@ -144,6 +144,10 @@ def check_advice():
     assert says((20, 9, 1), (30, 60, 10))[1::2] == [kept, "on?"]
     assert says((20, 19, 1), (60, 30, 10))[3] == "off?/locked"
     assert says((20, 19, 18), (60, 30, 10))[:2] == ["hold", hold]
+    # Where the likely ones all keep it and another does not, whoever keeps it is named.
+    both = "Not settled; on or locked: keeps it in service"
+    assert says((17, 1, 1), (1, 1, 98), best="locked", by_cost="on")[1] == both
+    assert says((17, 1, 1), (2, 40, 58), best="locked")[1] == both
 
     for of in read("losses.csv"):
         lost = {s: round(100 * float(of[f"lost_{s}"])) for s in settings}
