@@ -108,6 +108,7 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
 }
 
 double Recorder::yaw_of(const Matrix3& rotation) const {
+  if (heading_.isZero()) return 0;
   const Vector3 heading = rotation * heading_;
   return std::atan2(heading.y(), heading.x());
 }
