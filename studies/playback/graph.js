@@ -55,7 +55,10 @@ class Graph {
       { name: 'tilt', units: 'deg', positive: true, curves: items((item) => tiltOf(item).map((a) => (a * 180) / Math.PI)) }]);
   }
 
-  panel(pen, top, height, { name, units, curves, positive }) {
+  /// The names are above the curves, where there is room for both.
+  panel(pen, above, whole, { name, units, curves, positive }) {
+    const strip = whole < 40 ? 0 : 15;
+    const top = above + strip, height = whole - strip;
     const largest = Math.max(1e-9, ...curves.map(({ values }) => values.reduce((m, v) => Math.max(m, Math.abs(v)), 0)));
     const zero = positive ? top + height - 2 : top + height / 2;
     const y = (v) => zero - (v / largest) * (positive ? height - 4 : height / 2 - 2);
@@ -71,9 +74,11 @@ class Graph {
     const tick = roundBelow(largest);
     pen.textAlign = 'right';
     pen.textBaseline = 'middle';
-    const shown = largest > 1e-6 ? (positive ? [tick, 0] : [tick, 0, -tick]) : [0];
-    for (const v of height < 40 ? shown.slice(0, 2) : shown) pen.fillText(`${v === 0 ? '0 ' + units : v}`, kGraphLeft - 5, y(v));
-    this.words(pen, top, this.named(name), curves);
+    const apart = (y(0) - y(tick)) / 12;  // in lines of text
+    const signs = positive || apart < 0.5 ? [1] : [1, -1];
+    const shown = largest <= 1e-6 ? [0] : signs.map((sign) => sign * tick).concat(apart < 1 ? [] : [0]);
+    for (const v of shown) pen.fillText(`${v}${v === 0 || (v > 0 && apart < 1) ? ' ' + units : ''}`, kGraphLeft - 5, y(v));
+    this.words(pen, above - (strip > 0 ? 2 : 0), this.named(name), curves);
   }
 
   /// The words have a plate of their own, or the curves would run through them. Names that do not fit are

@@ -1,6 +1,7 @@
 #include "studies/playback/recorded_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "engine/response/response.h"
+#include "studies/explanation/footprint.h"
 #include "studies/results/hdf5_reader.h"
 
 namespace gurney::playback {
@@ -38,8 +40,11 @@ struct Uplift {
   std::string text() const {
     std::string names;
     for (const RecordedWheel* wheel : wheels) names += (names.empty() ? "" : ", ") + wheel->name;
-    return fmt::format("{} off the floor until {:.2f} s{}: {}",
-                       wheels.size() == 1 ? "a wheel" : "one or more wheels", until,
+    const bool alike = fmt::format("{:.2f}", from) == fmt::format("{:.2f}", until);
+    const std::string when =
+        alike ? fmt::format("for {:.2g} s", until - from) : fmt::format("until {:.2f} s", until);
+    return fmt::format("{} off the floor {}{}: {}",
+                       wheels.size() == 1 ? "a wheel" : "one or more wheels", when,
                        wheels.size() == 1 ? "" : fmt::format(", up to {} at once", most), names);
   }
 };
@@ -93,15 +98,48 @@ void add_tethers(const Hdf5Reader& file, std::vector<Moment>& all) {
   }
 }
 
-void add_zones(const Hdf5Reader& file, std::vector<Moment>& all) {
+/// Items whose outline is in a zone at the first sample at or after a time; an item that was in it
+/// between two samples only is not among them.
+std::vector<std::string> items_in(const RecordedRun& run, const RecordedZone& zone, double time) {
+  const auto at = std::ranges::lower_bound(run.time, time - 1e-9);
+  std::vector<std::string> inside;
+  if (at == run.time.end()) return inside;
+  const auto sample = static_cast<std::size_t>(at - run.time.begin());
+  Zone place;
+  place.center = {zone.center_x, zone.center_y};
+  place.length = zone.length;
+  place.width = zone.width;
+  place.angle = zone.angle;
+  const explanation::Polygon area = explanation::footprint(place);
+  for (const RecordedItem& item : run.items)
+    if (std::ranges::any_of(item.boxes, [&](const RecordedShape& box) {
+          std::vector<Vector2> points;
+          for (const Vector3& point : box.points) {
+            const Vector3 there = item.position[sample] + item.orientation[sample] * point;
+            points.emplace_back(there.head<2>());
+          }
+          return explanation::overlap(explanation::convex_hull(points), area);
+        }))
+      inside.push_back(item.name);
+  return inside;
+}
+
+void add_zones(const Hdf5Reader& file, const RecordedRun& run, std::vector<Moment>& all) {
   const auto names = file.strings("/zones/zone");
   const auto entries = file.numbers("/zones/time_of_entry");
   file.require_length({"/zones/time_of_entry"}, names.size());
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (entries[i] >= 0)
+    if (entries[i] >= 0) {
+      const auto inside = i < run.zones.size() ? items_in(run, run.zones[i], entries[i])
+                                               : std::vector<std::string>();
+      const std::string who =
+          inside.empty() ? "an item" : fmt::format("{}", fmt::join(inside, " and "));
+      const bool one = inside.size()<2, later = entries[i]> 0;
       all.push_back({entries[i], "zone", "",
-                     names[i] + (entries[i] > 0 ? ": an item enters"
-                                                : ": an item is inside from the start")});
+                     fmt::format("{}: {} {}{}", names[i], who,
+                                 later ? (one ? "enters" : "enter") : (one ? "is" : "are"),
+                                 later ? "" : " inside from the start")});
+    }
 }
 
 void add_items(const Hdf5Reader& file, std::vector<Moment>& all) {
@@ -343,7 +381,7 @@ std::vector<Moment> moments(const study::Hdf5Reader& file, const RecordedRun& ru
   add_liftoffs(run, all);
   add_impacts(file, all);
   add_tethers(file, all);
-  add_zones(file, all);
+  add_zones(file, run, all);
   add_items(file, all);
   add_times(file, "/items/time_of_release", "released", "its latch lets go", all);
   add_times(file, "/items/time_of_fall", "fell", "falls from what it stood on", all);

@@ -84,7 +84,7 @@ set(GURNEY_ROOMS
     studies/loss studies/hospital studies/convergence studies/calibration/trials
     studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render studies/explanation"
-  "studies/playback: engine/base engine/response studies/results"
+  "studies/playback: engine/base engine/response studies/results studies/explanation"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
     studies/statistics studies/verification studies/units studies/results studies/analysis

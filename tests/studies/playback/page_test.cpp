@@ -154,7 +154,7 @@ TEST_F(Page, HasTheEventsOfTheFile) {
   response.impacts = {impact};
   facts.scene.tethers = {{.name = "cord", .anchor = {1, 2, 3}, .slack_length = 5, .stiffness = 1}};
   response.tethers = {{5.5, 5.75, 10}};
-  facts.scene.zones = {{.name = "doorway"}, {.name = "way"}};
+  facts.scene.zones = {{.name = "doorway"}, {.name = "way", .length = 1, .width = 1}};
   response.zones = {{.time_of_entry = 0}, {.time_of_entry = 0.5}};
   const Json run = data().at("runs").at(0);
   std::vector<std::string> kinds;
@@ -167,7 +167,9 @@ TEST_F(Page, HasTheEventsOfTheFile) {
                                              "unplugged", "impact", "overturned"}));
   EXPECT_EQ(times, (std::vector<double>{0, 0.5, 0.01 * 300, 0.01 * 500, 5.5, 5.75, 6.5, 7.25}));
   EXPECT_EQ(run.at("events").at(0).at("text"), "doorway: an item is inside from the start");
-  EXPECT_EQ(run.at("events").at(1).at("text"), "way: an item enters");
+  EXPECT_EQ(run.at("events").at(1).at("text"),
+            "way: " + run.at("items").at(0).at("name").get<std::string>() + " enters")
+      << "the zone is where the item stands";
   EXPECT_EQ(run.at("events").at(2).at("text"),
             "one or more wheels off the floor until 3.35 s, up to 2 at once: front right, rear "
             "left, rear right");
