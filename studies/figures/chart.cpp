@@ -36,12 +36,12 @@ std::size_t thin_out(Panel& panel, std::size_t most) {
   return every;
 }
 
-/// Names of rows have the room that they need, in wider fonts than Helvetica too, up to a part of the panel.
+/// Names of rows have the room that they need, up to a part of the panel.
 double left_of(const Panel& panel, double width) {
   if (panel.rows.empty()) return kLeft;
   double widest = 0;
   for (const std::string& name : panel.rows) widest = std::max(widest, text_width(name, 10));
-  return std::clamp(kWiderFont * widest + 14, kRight, 0.42 * width);
+  return std::clamp(widest + 14, kRight, 0.42 * width);
 }
 
 double height_of(const PlotPanel& each, double width) {
@@ -160,12 +160,8 @@ std::string Chart::svg(const PlotPage& page) const {
 
 std::string Chart::picture(const PlotPage& page) const {
   constexpr std::size_t kTitleLines = 2;
-  const double space = (page.width - 2 * kRight) / kWiderFont;
-  std::vector<std::string> titles = lines_of(title, 1.08 * kTitleSize, space);
-  if (titles.size() > kTitleLines) {
-    titles.resize(kTitleLines);
-    titles.back() += "\u2026";
-  }
+  const double space = page.width - 2 * kRight;
+  const std::vector<std::string> titles = lines_of(title, kBold * kTitleSize, space, kTitleLines);
   const std::vector<std::string> notes = lines_of(page.apart ? "" : note, kNoteSize, space);
   const auto size = [](const auto& lines) { return static_cast<double>(lines.size()); };
   const double head = 12 + 18 * size(titles) + kNoteLine * size(notes) + 4;

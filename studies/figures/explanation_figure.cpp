@@ -37,7 +37,8 @@ struct Panels {
             .x_label = "",
             .y_label = with_unit(quantity, unit_of(unit)),
             .legend_columns = 6,
-            .x_range = window};
+            .x_range = window,
+            .least_span = least_span(unit) / unit_of(unit).in_si};
   }
   study::ReportUnit unit_of(const char* si) const { return of.units.or_else("m").of(si); }
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <map>
 
+#include "engine/response/settled.h"
 #include "equipment/catalogue/uncertainty.h"
 
 namespace gurney::figures {
@@ -75,6 +76,12 @@ std::string input_label(const std::vector<std::string>& names) {
 std::string unit_label(const study::ReportUnit& unit) {
   const std::string& name = unit.name;
   return name.ends_with("s2") ? name.substr(0, name.size() - 1) + "\u00b2" : name;
+}
+
+double least_span(const std::string& si) {
+  for (const char* const known : {"m", "rad", "m/s", "m/s2", "N"})
+    if (si == known) return size_of_interest(known);
+  return si == "J" ? 0.1 : 0;  // 10 N along 1 cm
 }
 
 std::string with_unit(const std::string& label, const study::ReportUnit& unit) {

@@ -18,6 +18,10 @@ std::string input_label(const std::vector<std::string>& names);
 /// "m/s²"
 std::string unit_label(const study::ReportUnit& unit);
 
+/// Span of the axis of a history whose values differ less: nobody asks for so small differences, and
+/// rounding is a flat line. By SI unit [that unit]; 0: not known of this unit.
+double least_span(const std::string& si);
+
 /// A name with its unit: "Peak displacement (m)", "Impacts".
 std::string with_unit(const std::string& label, const study::ReportUnit& unit);
 

@@ -55,6 +55,7 @@ std::string escaped(const std::string& text) {
 }
 
 constexpr double kTick = 4;
+constexpr std::size_t kColors = 7;  // of the palette
 const Pen kAxis{.stroke = "#444444", .width = 0.8};
 const Pen kGrid{.stroke = "#e6e6e6", .width = 0.7};
 
@@ -74,11 +75,11 @@ Range range_of(const Panel& panel, bool along_x) {
 }
 
 /// Leaves some air, and gives a constant curve an axis of its own size.
-Range padded(Range range) {
+Range padded(Range range, double least_span = 0) {
   const double size = std::max(std::abs(range.low), std::abs(range.high));
-  if (!(range.span() > 1e-9 * size)) {
-    const double half = size > 0 ? 0.5 * size : 1;
-    return {range.low - half, range.high + half};
+  if (!(range.span() > std::max(1e-9 * size, least_span))) {
+    const double half = std::max(0.5 * size, 0.5 * least_span);
+    return {range.low - (half > 0 ? half : 1), range.high + (half > 0 ? half : 1)};
   }
   return {range.low - 0.06 * range.span(), range.high + 0.06 * range.span()};
 }
@@ -110,24 +111,38 @@ double step_of(const std::vector<double>& at) { return at.size() > 1 ? at[1] - a
 
 std::vector<double> x_ticks_of(const Panel& panel, const Range& x, int wanted) {
   std::vector<double> at = panel.x_ticks;
-  if (at.empty()) return panel.log_x ? decade_ticks(x) : ticks(x, wanted);
+  if (at.empty()) return panel.log_x ? decade_ticks(x) : axis_ticks(x, wanted);
   if (panel.log_x)
     for (double& value : at) value = std::log10(value);
   return at;
 }
 
-std::string log_label(double value) {
-  const double number = std::pow(10, value);
-  return fmt::format("{:.3g}", number);
+/// All of one axis in one form.
+std::vector<std::string> log_labels(const std::vector<double>& at) {
+  const bool plain =
+      std::ranges::all_of(at, [](double value) { return value > -4.01 && value < 6; });
+  std::vector<std::string> labels;
+  for (const double value : at)
+    labels.push_back(plain ? fmt::format("{:.6g}", std::pow(10, value))
+                           : fmt::format("{:.0e}", std::pow(10, value)));
+  return labels;
 }
 
-/// The places among ticks of decades whose labels do not touch: powers of ten before all others.
+std::vector<std::string> tick_labels(const std::vector<double>& at, bool log) {
+  if (log) return log_labels(at);
+  std::vector<std::string> labels;
+  for (const double value : at) labels.push_back(tick_label(value, step_of(at)));
+  return labels;
+}
+
+/// The places among ticks whose labels do not touch: of decades powers of ten before all others.
+/// @param air  between labels [px]
 std::vector<bool> labelled(const std::vector<double>& at, const std::vector<double>& px,
-                           const std::vector<double>& sizes) {
+                           const std::vector<double>& sizes, double air = 5) {
   std::vector<bool> shown(at.size(), false);
   const auto free = [&](std::size_t i) {
     for (std::size_t k = 0; k < at.size(); ++k)
-      if (shown[k] && std::abs(px[i] - px[k]) < (sizes[i] + sizes[k]) / 2 + 5) return false;
+      if (shown[k] && std::abs(px[i] - px[k]) < (sizes[i] + sizes[k]) / 2 + air) return false;
     return true;
   };
   for (const bool powers : {true, false})
@@ -161,12 +176,11 @@ void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
   constexpr double kSize = 10;
   const double bottom = frame.y + frame.height;
   const auto at = x_ticks_of(panel, range, std::max(2, static_cast<int>(frame.width / 70)));
-  std::vector<std::string> labels;
+  const std::vector<std::string> labels = tick_labels(at, panel.log_x);
   std::vector<double> px, sizes;
-  for (const double value : at) {
-    labels.push_back(panel.log_x ? log_label(value) : tick_label(value, step_of(at)));
-    px.push_back(scaling.x(value));
-    sizes.push_back(text_width(labels.back(), kSize) + 6);  // numbers side by side need air
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    px.push_back(scaling.x(at[i]));
+    sizes.push_back(text_width(labels[i], kSize) + 6);  // numbers side by side need air
   }
   const std::vector<bool> shown = labelled(at, px, sizes);
   svg.begin_group({{"class", "ticks-x"}});
@@ -182,23 +196,36 @@ void draw_x_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
            {.anchor = Anchor::kMiddle});
 }
 
+/// Name of the vertical axis, in two lines where it is longer than the axis.
+/// @param left  of the axis [px]
+void draw_y_name(Svg& svg, const Frame& frame, const std::string& name, double left) {
+  constexpr double kSize = 11, kLine = 11, kMost = 54;  // leftmost, with letters to the left of it
+  const double space = std::max(frame.height + 40, 80.0);
+  const std::vector<std::string> lines = lines_of(name, kSize, space, 2);
+  double x = frame.x - left;
+  if (lines.size() == 2) x = frame.x - std::min(left + kLine - 4, kMost);
+  for (const std::string& line : lines) {
+    svg.text(x, frame.y + frame.height / 2, line,
+             {.size = kSize, .anchor = Anchor::kMiddle, .upwards = true});
+    x += kLine;
+  }
+}
+
 void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling& scaling,
                  const Range& range) {
-  constexpr double kSize = 10, kLabelSize = 11;
+  constexpr double kSize = 10;
   const double apart = panel.equal_scales ? 70 : 32;  // equal scales: ticks as on the other axis
   const int wanted = std::max(2, static_cast<int>(frame.height / apart));
-  std::vector<double> at = panel.log_y ? decade_ticks(range) : ticks(range, wanted);
-  for (int more = 1; at.size() < 2 && !panel.log_y && more < 4; ++more)
-    at = ticks(range, wanted + more);
-  std::vector<std::string> labels;
+  const std::vector<double> at = panel.log_y ? decade_ticks(range) : axis_ticks(range, wanted);
+  const std::vector<std::string> labels = tick_labels(at, panel.log_y);
   std::vector<double> px;
   double widest = 0;
-  for (const double value : at) {
-    labels.push_back(panel.log_y ? log_label(value) : tick_label(value, step_of(at)));
-    px.push_back(scaling.y(value));
-    widest = std::max(widest, text_width(labels.back(), kSize));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    px.push_back(scaling.y(at[i]));
+    widest = std::max(widest, text_width(labels[i], kSize));
   }
-  const std::vector<bool> shown = labelled(at, px, std::vector<double>(at.size(), kSize));
+  const std::vector<bool> shown =
+      labelled(at, px, std::vector<double>(at.size(), kSize), panel.log_y ? 5 : 1.5);
   svg.begin_group({{"class", "ticks-y"}});
   for (std::size_t i = 0; i < at.size(); ++i) {
     svg.line(frame.x, px[i], frame.x + frame.width, px[i], kGrid);
@@ -211,12 +238,8 @@ void draw_y_axis(Svg& svg, const Frame& frame, const Panel& panel, const Scaling
     svg.line(frame.x, scaling.y(0), frame.x + frame.width, scaling.y(0),
              {.stroke = "#999999", .width = 0.8});
   svg.end_group();
-  const std::string name = axis_name(panel.y_label, panel.log_y);
-  // Digits of DejaVu, the last of the fonts, are a fifth wider than those of Helvetica.
-  const double left = std::clamp(1.2 * widest + 14, 34.0, 52.0);
-  svg.text(frame.x - left, frame.y + frame.height / 2,
-           fitted(name, kLabelSize, std::max(frame.height + 40, 80.0)),
-           {.size = kLabelSize, .anchor = Anchor::kMiddle, .upwards = true});
+  draw_y_name(svg, frame, axis_name(panel.y_label, panel.log_y),
+              std::clamp(widest + 14, 34.0, 52.0));
 }
 
 /// Names beside the axes, and lines between the rows.
@@ -227,15 +250,13 @@ void draw_rows(Svg& svg, const Frame& frame, const Panel& panel) {
     const double top = frame.y + static_cast<double>(i) * high;
     if (i > 0)
       svg.line(frame.x, top, frame.x + frame.width, top, {.stroke = "#cccccc", .width = 0.6});
-    const std::vector<std::string> lines =
-        lines_of(panel.rows[i], kSize, (frame.x - 12) / kWiderFont);
-    const auto fit = std::max(1.0, std::floor(high / kLine));
-    const auto count = std::min(lines.size(), static_cast<std::size_t>(fit));
-    double y = top + high / 2 + 3.5 - kLine * 0.5 * (static_cast<double>(count) - 1);
-    for (std::size_t line = 0; line < count; ++line, y += kLine)
-      svg.text(frame.x - 7, y,
-               lines[line] + (line + 1 == count && count < lines.size() ? "\u2026" : ""),
-               {.size = kSize, .anchor = Anchor::kEnd});
+    const auto fit = static_cast<std::size_t>(std::max(1.0, std::floor(high / kLine)));
+    const std::vector<std::string> lines = lines_of(panel.rows[i], kSize, frame.x - 12, fit);
+    double y = top + high / 2 + 3.5 - kLine * 0.5 * (static_cast<double>(lines.size()) - 1);
+    for (const std::string& line : lines) {
+      svg.text(frame.x - 7, y, line, {.size = kSize, .anchor = Anchor::kEnd});
+      y += kLine;
+    }
   }
 }
 
@@ -244,8 +265,12 @@ void draw_bars(Svg& svg, const Panel& panel, const Scaling& scaling) {
     const double from = scaling.x(std::min(bar.x.low, bar.x.high));
     const double to = scaling.x(std::max(bar.x.low, bar.x.high));
     const double top = scaling.y(bar.middle - bar.half);
-    if (std::isfinite(to - from))
-      svg.rectangle(from, top, to - from, scaling.y(bar.middle + bar.half) - top, bar.pen);
+    const double bottom = scaling.y(bar.middle + bar.half);
+    if (!std::isfinite(to - from)) continue;
+    if (to > from && bottom > top)
+      svg.rectangle(from, top, to - from, bottom - top, bar.pen);
+    else
+      svg.line(from, top, to, bottom, bar.pen);  // a rectangle without an area is not drawn
   }
 }
 
@@ -312,6 +337,8 @@ Panel in_decades(Panel panel) {
     if (panel.log_x) guide.at = std::log10(guide.at);
   for (Curve& curve : panel.curves) {
     if (panel.log_x) take_log10(curve.x);
+    if (panel.log_x && curve.known.span() > 0)
+      curve.known = {std::log10(curve.known.low), std::log10(curve.known.high)};
     if (panel.log_y) take_log10(curve.y);
   }
   for (Marks& marks : panel.marks) {
@@ -335,12 +362,37 @@ void draw_area(Svg& svg, const Area& area, const Scaling& scaling) {
   svg.polyline(outline, {.stroke = "", .fill = area.color, .opacity = area.opacity}, true);
 }
 
+/// The part of a curve, whose x rises, between two values of x.
+Curve part_of(const Curve& curve, const Range& x) {
+  Curve part{"", {}, {}, curve.pen};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    for (const double end : {x.low, x.high})
+      if (i > 0 && curve.x[i - 1] < end && end < curve.x[i])
+        part.add(end, std::lerp(curve.y[i - 1], curve.y[i],
+                                (end - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1])));
+    if (curve.x[i] >= x.low && curve.x[i] <= x.high) part.add(curve.x[i], curve.y[i]);
+  }
+  return part;
+}
+
+void draw_curve(Svg& svg, const Curve& curve, const Scaling& scaling) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<Curve> parts{curve};
+  if (curve.known.span() > 0) {
+    parts = {part_of(curve, {-kFar, curve.known.low}), part_of(curve, curve.known),
+             part_of(curve, {curve.known.high, kFar})};
+    parts.front().pen.dash = parts.back().pen.dash = "1.5 3";
+  }
+  for (const Curve& part : parts)
+    for (const Svg::Points& piece : pieces(part, scaling)) svg.polyline(piece, part.pen);
+}
+
 void draw_curves(Svg& svg, const Panel& panel, const Scaling& scaling) {
   for (const Curve& curve : panel.curves) {
     if (!curve.label.empty())
       svg.begin_group(
           {{"data-name", curve.label}, {"data-shift", fmt::format("{:g}", curve.shift)}});
-    for (const Svg::Points& piece : pieces(curve, scaling)) svg.polyline(piece, curve.pen);
+    draw_curve(svg, curve, scaling);
     if (!curve.label.empty()) svg.end_group();
   }
 }
@@ -468,6 +520,12 @@ std::vector<double> ticks(const Range& range, int wanted) {
   return result;
 }
 
+std::vector<double> axis_ticks(const Range& range, int wanted) {
+  std::vector<double> at = ticks(range, wanted);
+  for (int more = 1; at.size() < 2 && more < 8; ++more) at = ticks(range, wanted + more);
+  return at;
+}
+
 std::vector<double> decade_ticks(const Range& log_range) {
   const auto of_digits = [&](std::initializer_list<double> digits) {
     std::vector<double> result;
@@ -492,7 +550,7 @@ Scaling draw(Svg& svg, const Frame& frame, const Panel& given) {
   if (!panel.rows.empty())
     y = {static_cast<double>(panel.rows.size()), 0};
   else if (!(y.span() > 0))
-    y = padded(range_of(panel, false));
+    y = padded(range_of(panel, false), panel.least_span);
   if (!(x.span() > 0)) x = padded(x);
   if (panel.equal_scales) equalise(frame, x, y);
   const Scaling scaling(frame, x, y);
@@ -518,7 +576,8 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
   constexpr double kSpace = 5;
   const auto count = static_cast<double>(panel.curves.size());
   const double height = (frame.height - kSpace * (count - 1)) / count;
-  const Range y = panel.y_range.span() > 0 ? panel.y_range : padded(range_of(panel, false));
+  const Range y =
+      panel.y_range.span() > 0 ? panel.y_range : padded(range_of(panel, false), panel.least_span);
   Panel lane = panel;
   lane.y_range = y;
   lane.legend_columns = 0;
@@ -530,7 +589,7 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
     lane.x_label = last ? panel.x_label : "";
     lane.x_labels = last;
     lane.curves = {panel.curves[i]};
-    if (panel.own_ranges) lane.y_range = padded(range_of(lane, false));
+    if (panel.own_ranges) lane.y_range = padded(range_of(lane, false), panel.least_span);
     draw(svg, {frame.x, top, frame.width, height}, lane);
     const std::string name = fitted(panel.curves[i].label, 10, frame.width - 10);
     const double right = frame.x + frame.width - 5, wide = text_width(name, 10);
@@ -543,25 +602,28 @@ void draw_lanes(Svg& svg, const Frame& frame, const Panel& panel) {
     svg.text(right, line, name,
              {.size = 10, .anchor = Anchor::kEnd, .color = panel.curves[i].pen.stroke});
   }
-  svg.text(frame.x - 40, frame.y + frame.height / 2,
-           fitted(panel.y_label, 11, std::max(frame.height + 40, 80.0)),
-           {.anchor = Anchor::kMiddle, .upwards = true});
+  draw_y_name(svg, frame, panel.y_label, 52);
+}
+
+std::string dash_of(std::size_t color) {
+  static const char* const dashes[] = {"", "6 3", "2 2", "8 2 2 2"};
+  return dashes[color / kColors % std::size(dashes)];
 }
 
 Pen pen(std::size_t color, double width, const std::string& dash) {
-  return {.stroke = palette(color), .width = width, .dash = dash};
+  return {.stroke = palette(color), .width = width, .dash = dash.empty() ? dash_of(color) : dash};
 }
 
 std::string ramp(std::size_t index, std::size_t count) {
   // Viridis at eighths of its length, without its last: that yellow is hardly seen on paper.
-  constexpr std::array<std::array<double, 3>, 8> kColors = {{{68, 1, 84},
-                                                             {71, 44, 122},
-                                                             {59, 81, 139},
-                                                             {44, 113, 142},
-                                                             {33, 144, 141},
-                                                             {39, 173, 129},
-                                                             {92, 200, 99},
-                                                             {170, 220, 50}}};
+  constexpr std::array<std::array<double, 3>, 8> kRamp = {{{68, 1, 84},
+                                                           {71, 44, 122},
+                                                           {59, 81, 139},
+                                                           {44, 113, 142},
+                                                           {33, 144, 141},
+                                                           {39, 173, 129},
+                                                           {92, 200, 99},
+                                                           {170, 220, 50}}};
   const double place =
       count < 2 ? 0 : 7.0 * static_cast<double>(index) / static_cast<double>(count - 1);
   const auto below = std::min<std::size_t>(6, static_cast<std::size_t>(place));
@@ -569,14 +631,14 @@ std::string ramp(std::size_t index, std::size_t count) {
   std::array<int, 3> rgb{};
   for (std::size_t i = 0; i < 3; ++i)
     rgb[i] = static_cast<int>(
-        std::lround(kColors[below][i] + part * (kColors[below + 1][i] - kColors[below][i])));
+        std::lround(kRamp[below][i] + part * (kRamp[below + 1][i] - kRamp[below][i])));
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
 std::string palette(std::size_t index) {
-  static const char* const colors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                       "#E69F00", "#56B4E9", "#000000"};
-  return colors[index % std::size(colors)];
+  static const char* const colors[kColors] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                              "#E69F00", "#56B4E9", "#000000"};
+  return colors[index % kColors];
 }
 
 }  // namespace gurney::figures

@@ -67,6 +67,9 @@ struct Range {
 /// Round numbers (1, 2, 2.5 or 5 times a power of ten) inside `range`, about `wanted` of them.
 std::vector<double> ticks(const Range& range, int wanted);
 
+/// As ticks(), of which an axis needs two.
+std::vector<double> axis_ticks(const Range& range, int wanted);
+
 /// 1, 2 and 5 times the powers of ten inside a range of log10 values, as log10; of a range of more
 /// than three decades their powers of ten only, of one with fewer than three such numbers every
 /// digit.
@@ -75,14 +78,16 @@ std::vector<double> decade_ticks(const Range& log_range);
 /// The smallest range of all numbers among `values`, and of `range`.
 Range widened(Range range, const std::vector<double>& values);
 
-/// Words in lines that are no wider than `width` [px].
-std::vector<std::string> lines_of(const std::string& text, double size, double width);
+/// Words in lines that are no wider than `width` [px]; of more than `most` lines the last one that
+/// is kept ends with an ellipsis.
+std::vector<std::string> lines_of(const std::string& text, double size, double width,
+                                  std::size_t most = 1000);
 
-/// Factor from the widths of text_width to those of the wide fonts of some systems (DejaVu Sans) [-].
-inline constexpr double kWiderFont = 1.15;
-
-/// About how wide a text of this size is in Helvetica [px].
+/// Width of a text of this size in the widest of the figures' fonts, DejaVu Sans [px].
 double text_width(const std::string& text, double size);
+
+/// Factor from the widths of text_width to those of bold texts [-].
+inline constexpr double kBold = 1.14;
 
 /// The beginning of a text, with an ellipsis where the whole is wider.
 std::string fitted(const std::string& text, double size, double width);
@@ -96,6 +101,7 @@ struct Curve {
   Pen pen;
   std::optional<Marker> key = {};  ///< of the marks that belong to it, for the legend
   double shift = 0;                ///< in x, which is no value: it keeps curves apart
+  Range known = {};  ///< x rises, and outside of this range the curve is dotted; span 0: nowhere
 
   void add(double at, double value) {
     x.push_back(at);
@@ -121,7 +127,10 @@ struct Marks {
   }
 };
 
-/// A line in a colour of palette().
+/// Empty for the colours of palette(), dashes where they repeat.
+std::string dash_of(std::size_t color);
+
+/// A line in a colour of palette(), with dash_of() where none is given.
 Pen pen(std::size_t color, double width = 1.3, const std::string& dash = "");
 
 /// Values over x, in a unit.
@@ -183,6 +192,7 @@ struct Panel {
   int legend_columns = 0;            ///< 0: no legend
   Range x_range = {}, y_range = {};  ///< span 0: from the curves; log10 on an axis of decades
   bool log_y = false;                ///< as log_x
+  double least_span = 0;             ///< of y from the curves; values that differ less are equal
   std::vector<double> x_ticks = {};  ///< empty: round numbers
   bool lanes = false;                ///< for draw_lanes(): each curve on axes of its own
   bool own_ranges = false;           ///< of lanes: each its own; else all the same

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <sstream>
-#include <string_view>
 
 #include "studies/figures/panel.h"
 
 namespace gurney::figures {
 namespace {
 
-constexpr double kKey = 18, kGap = 5, kSpace = 12, kRow = 13, kSize = 10, kTitleSize = 12;
+constexpr double kKey = 24, kGap = 5, kSpace = 12, kRow = 13, kSize = 10, kTitleSize = 12,
+                 kTitleLine = 15;
 
 struct Entry {
   std::string label;
@@ -66,10 +66,20 @@ double guide_height(const Panel& panel) {
   return named ? 13 : 0;
 }
 
+std::vector<std::string> title_lines(const Panel& panel, double width) {
+  constexpr std::size_t kMost = 3;
+  return lines_of(panel.title, kBold * kTitleSize, width, kMost);
+}
+
+double title_height(const Panel& panel, double width) {
+  const auto lines = static_cast<double>(title_lines(panel, width).size());
+  return lines > 0 ? kTitleLine * lines + 1 : 0;
+}
+
 /// Whether title and last row of the legend do not fit beside each other.
 bool stacked(const Panel& panel, const Legend& legend, double width) {
   return !panel.title.empty() && !legend.entries.empty() &&
-         1.08 * text_width(panel.title, kTitleSize) + legend.width + kSpace > width;
+         kBold * text_width(panel.title, kTitleSize) + legend.width + kSpace > width;
 }
 
 void draw_key(Svg& svg, double x, double y, const Entry& entry) {
@@ -91,7 +101,7 @@ double overhang(const Panel& panel, double left) {
 double head_height(const Panel& panel, double width) {
   const Legend legend = legend_of(panel, width);
   const double rows = kRow * static_cast<double>(legend.rows());
-  const double title = panel.title.empty() ? 0 : kTitleSize + 4;
+  const double title = title_height(panel, width);
   return 8 + guide_height(panel) +
          (stacked(panel, legend, width) ? rows + title : std::max(rows, title));
 }
@@ -112,14 +122,17 @@ void draw_head(Svg& svg, const Frame& axes, const Panel& panel) {
     svg.text(x + kKey + kGap, y + 3.5, legend.entries[i].label, {.size = kSize});
   }
   const double up = stacked(panel, legend, frame.width) ? kRow * static_cast<double>(rows) : 0;
-  svg.text(frame.x, frame.y - 9 - up, fitted(panel.title, 1.08 * kTitleSize, frame.width),
-           {.size = kTitleSize, .bold = true});
+  const std::vector<std::string> titles = title_lines(panel, frame.width);
+  double y = frame.y - 9 - up - kTitleLine * static_cast<double>(titles.size());
+  for (const std::string& line : titles)
+    svg.text(frame.x, y += kTitleLine, line, {.size = kTitleSize, .bold = true});
 }
 
 void draw_marker(Svg& svg, double x, double y, const Marks& marks) {
   const double r = marks.radius, wide = 1.25 * r;
   Pen pen = marks.pen;
   if (pen.fill.empty()) pen.fill = "#ffffff";
+  if (!pen.dash.empty()) pen.dash = "none";
   Pen stroke = marks.pen;
   stroke.dash = "none";  // never that of a curve in grey
   switch (marks.marker) {
@@ -144,16 +157,22 @@ void draw_marker(Svg& svg, double x, double y, const Marks& marks) {
 }
 
 double text_width(const std::string& text, double size) {
-  // Widths of Helvetica in em, by groups of letters.
+  constexpr double kOther = 0.64;  // of letters beyond ASCII [em]
+  // Advances of DejaVu Sans from the space to the tilde [1/1000 em].
+  constexpr int kAdvances[] = {
+      318,  401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
+      636,  636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 531,
+      1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863, 748, 787,
+      603,  787, 695, 635, 611, 732, 684, 989, 685, 611, 685, 390, 337, 390, 838, 500,
+      500,  613, 635, 550, 635, 615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612,
+      635,  635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838};
   double width = 0;
   for (const char c : text) {
-    if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // not the first of its character
-    if (std::string_view(" fijltIr.,:;!|'()[]/-").find(c) != std::string_view::npos)
-      width += 0.3;
-    else if (std::string_view("mwMW%").find(c) != std::string_view::npos)
-      width += 0.85;
-    else
-      width += c >= 'A' && c <= 'Z' ? 0.69 : 0.55;
+    const auto code = static_cast<unsigned char>(c);
+    if (code >= ' ' && code <= '~')
+      width += kAdvances[code - ' '] / 1000.0;
+    else if ((code & 0xc0) != 0x80)  // the first of its character
+      width += kOther;
   }
   return size * width;
 }
@@ -171,7 +190,8 @@ std::string fitted(const std::string& text, double size, double width) {
   return result + "\u2026";
 }
 
-std::vector<std::string> lines_of(const std::string& text, double size, double width) {
+std::vector<std::string> lines_of(const std::string& text, double size, double width,
+                                  std::size_t most) {
   std::vector<std::string> lines;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
@@ -180,6 +200,11 @@ std::vector<std::string> lines_of(const std::string& text, double size, double w
       lines.back() += " " + word;
     else
       lines.push_back(fitted(word, size, width));
+  }
+  if (lines.size() > most) {
+    const std::string next = lines[most];
+    lines.resize(most);
+    lines.back() = fitted(lines.back() + " " + next, size, width);
   }
   return lines;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/units.h"
 #include "studies/explanation/footprint.h"
 #include "studies/figures/labels.h"
 #include "studies/playback/recorded_run.h"
@@ -40,12 +41,13 @@ Curve placed(const PlacedItem& item, const Vector2& from, const Vector2& to, con
   return line({origin + turn * from, origin + turn * to}, "", pen);
 }
 
-void add_item(Panel& panel, const PlacedItem& item, std::string name, const std::string& color) {
+void add_item(Panel& panel, const PlacedItem& item, std::string name, std::size_t index) {
+  const std::string color = palette(index), dash = dash_of(index);
   double front = 0;
   for (const BodyShape& box : item.model.shape)
     front = std::max(front, box.center.x() + box.size.x() / 2);
   for (const explanation::Polygon& part : explanation::footprint(item, at_start(item))) {
-    panel.curves.push_back(outline(part, name, {.stroke = color, .width = 1.3}));
+    panel.curves.push_back(outline(part, name, {.stroke = color, .width = 1.3, .dash = dash}));
     name.clear();
   }
   panel.curves.push_back(placed(item, Vector2::Zero(), {front, 0}, {.stroke = color, .width = 1}));
@@ -127,7 +129,13 @@ PlotPanel panel_of(const CollisionMap& map, const SpeedClasses& classes,
 
 const std::string kWall = "#888888", kStart = "#777777", kImpact = "#c00000";
 
-/// The outline of an item, with a line from its middle to its front.
+/// Whether the origin is still a point of the item's base.
+bool stands(const Quaternion& orientation) {
+  constexpr double kStanding = 30 * kRadiansPerDegree;  // of tilt
+  return (orientation * Vector3::UnitZ()).z() > std::cos(kStanding);
+}
+
+/// The outline of an item, with a line from its middle to its front while it stands.
 void add_item(Panel& panel, const playback::RecordedItem& item, std::size_t sample, const Pen& pen,
               std::string label) {
   const auto placed = [&](const Vector3& point) -> Vector2 {
@@ -143,6 +151,7 @@ void add_item(Panel& panel, const playback::RecordedItem& item, std::size_t samp
     panel.curves.push_back(outline(explanation::convex_hull(points), label, pen));
     label.clear();
   }
+  if (!stands(item.orientation[sample])) return;
   const Vector2 tip = placed({front, 0, 0});
   panel.curves.push_back(line({placed(Vector3::Zero()), tip}, "", pen));
   panel.marks.push_back(
@@ -171,7 +180,9 @@ Panel plan_of_run(const study::Hdf5Reader& file) {
     const playback::RecordedItem& item = run.items[i];
     add_item(panel, item, 0, {.stroke = kStart, .width = 1}, i == 0 ? "at the start" : "");
     std::vector<Vector2> path;
-    for (const Vector3& position : item.position) path.push_back(position.head<2>());
+    for (std::size_t k = 0; k < item.position.size(); ++k)
+      path.push_back(stands(item.orientation[k]) ? Vector2(item.position[k].head<2>())
+                                                 : Vector2::Constant(std::nan("")));
     panel.curves.push_back(line(path, "", pen(i, 1.8)));
     add_item(panel, item, run.time.size() - 1, pen(i, 1), item.name);
   }
@@ -216,6 +227,7 @@ double aspect_of_plan(const Panel& panel, double most) {
   Vector2 low = Vector2::Constant(1e300), high = -low;
   const auto include = [&](const std::vector<double>& x, const std::vector<double>& y) {
     for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!std::isfinite(x[i] + y[i])) continue;
       low = low.cwiseMin(Vector2(x[i], y[i]));
       high = high.cwiseMax(Vector2(x[i], y[i]));
     }
@@ -260,8 +272,7 @@ Panel scene_panel(const Scene& scene) {
     label.clear();
   }
   const std::vector<std::string> names = study::item_names(scene);
-  for (std::size_t i = 0; i < names.size(); ++i)
-    add_item(panel, scene.items[i], names[i], palette(i));
+  for (std::size_t i = 0; i < names.size(); ++i) add_item(panel, scene.items[i], names[i], i);
   return panel;
 }
 
@@ -299,8 +310,8 @@ std::string trajectory_figure(const PlotPage& page, const std::string& path) {
                   "paths of the items' origins in {} runs, each from its start; marked: the "
                   "end",
                   runs.size())
-            : "line: path of the item's origin; outlines at the start and at the end, the dot at "
-              "the front";
+            : "line: path of the item's origin while it stands; outlines at the start and at "
+              "the end, the dot at the front";
   return Chart{histories.title(), note, {{.panel = panel, .aspect = aspect_of_plan(panel, 1)}}}.svg(
       page);
 }

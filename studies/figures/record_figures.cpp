@@ -203,7 +203,8 @@ PlotPanel panel_of(const study::StoredHistory& history, const study::UnitSystem&
   PlotPanel result{.panel = {.title = label_of(history.name),
                              .x_label = "Time (s)",
                              .y_label = with_unit(label_of(history.name), unit),
-                             .legend_columns = 4},
+                             .legend_columns = 4,
+                             .least_span = least_span(history.units) / unit.in_si},
                    .aspect = 0.4};
   for (const study::StoredHistory::Series& series : history.series) {
     const std::string space = series.part.empty() || series.axis.empty() ? "" : ", ";

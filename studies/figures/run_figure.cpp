@@ -31,10 +31,14 @@ Panel plan_panel(const Scene& scene, const Response& response, const study::Unit
 void draw_plan(Svg& svg, const Frame& frame, const Scaling& in_unit, const Scene& scene,
                const Response& response, const study::UnitSystem& units = {});
 
+constexpr double kWidth = 1060, kHeight = 150, kPlanWidth = 740,
+                 kLane = 32;                          // [px]
 constexpr double kStanding = 30 * kRadiansPerDegree;  // of tilt; casters are drawn below
 constexpr double kLow = 0.05;      // a room shape that reaches no higher may be rolled over [m]
 constexpr double kOverhead = 1.8;  // a room shape above that stands in nobody's way [m]
 const std::string kStartColor = "#777777", kImpactColor = "#c00000";
+
+bool stands(const Sample& sample) { return sample.tilt < kStanding; }
 
 Vector2 at(const PlacedItem& item, const Sample& sample, const Vector3& point) {
   const Vector3 start(item.initial.position.x(), item.initial.position.y(), 0);
@@ -179,7 +183,7 @@ void draw_item(Plan& plan, const PlacedItem& item, const Sample& sample, const P
                double fill_opacity) {
   for (const explanation::Polygon& part : explanation::footprint(item, sample))
     plan.area(part, outline, fill_opacity);
-  if (!(sample.tilt < kStanding)) return;
+  if (!stands(sample)) return;
   const std::string& color = outline.stroke;
   mark_front(plan, item, sample, color);
   for (std::size_t i = 0; i < item.model.casters.size(); ++i) {
@@ -190,11 +194,15 @@ void draw_item(Plan& plan, const PlacedItem& item, const Sample& sample, const P
   }
 }
 
+/// Of the origin, which is no point of an item that lies.
 Curve path_of(const PlacedItem& item, const std::vector<Sample>& history, const Pen& pen) {
-  Curve path{"path", {}, {}, pen};
+  Curve path{std::ranges::all_of(history, stands) ? "path" : "path while it stands", {}, {}, pen};
   for (const Sample& sample : history) {
     const Vector2 origin = at(item, sample, Vector3::Zero());
-    path.add(origin.x(), origin.y());
+    if (stands(sample))
+      path.add(origin.x(), origin.y());
+    else
+      path.add(std::nan(""), std::nan(""));
   }
   return path;
 }
@@ -210,9 +218,10 @@ Vector2 middle_of(const PlacedItem& item, const Sample& sample) {
   return 0.5 * (low + high);
 }
 
-/// Numbers in the plan, names beside it.
+/// Numbers in the plan, names beside it with the lines of the histories.
 void draw_legend(Svg& svg, Plan& plan, const Frame& frame, const Scene& scene,
                  const Response& response, const study::UnitSystem& units) {
+  constexpr double kLineKey = 20, kSize = 11;
   const std::vector<std::string> names = study::item_names(scene);
   const study::UnitSystem lengths = units.or_else("g-mm");
   const double x = frame.x + frame.width + 22;
@@ -228,11 +237,14 @@ void draw_legend(Svg& svg, Plan& plan, const Frame& frame, const Scene& scene,
     plan.text(middle, 3.5, number, style);
     svg.circle(x, y, 8, badge);
     svg.text(x, y + 3.5, number, style);
-    svg.text(x + 14, y + 4,
-             names[i] + (d.time_of_overturning >= 0
-                             ? ", overturned"
-                             : ", " + lengths.fixed(d.residual_displacement, "m", 3)),
-             {.size = 11});
+    svg.line(x + 12, y, x + 12 + kLineKey, y, pen(i, 1.6));
+    const std::string what = d.time_of_overturning >= 0
+                                 ? ", overturned"
+                                 : ", " + lengths.fixed(d.residual_displacement, "m", 3);
+    const double left = x + 18 + kLineKey;
+    svg.text(left, y + 4,
+             fitted(names[i], kSize, kWidth - left - 6 - text_width(what, kSize)) + what,
+             {.size = kSize});
   }
   const auto note = [&](const std::string& text, const char* color) {
     svg.text(x - 6, y + 10, text, {.size = 10, .color = color});
@@ -305,7 +317,7 @@ Panel fitted_panel(const Scene& scene, const Response& response) {
 }
 
 /// A single item ends in the first colour and has its path in the second.
-std::string path_color(bool alone, std::size_t item) { return palette(alone ? 1 : item); }
+std::size_t path_index(bool alone, std::size_t item) { return alone ? 1 : item; }
 
 /// Height over width of the axes.
 double plan_aspect(const Panel& plan) { return plan.y_range.span() / plan.x_range.span(); }
@@ -321,7 +333,7 @@ Panel plan_panel(const Scene& scene, const Response& response, const study::Unit
   }
   for (std::size_t i = 0; i < count; ++i)
     panel.curves.push_back(path_of(scene.items[i], response.items[i].history,
-                                   {.stroke = path_color(alone, i), .width = alone ? 1.4 : 0.8}));
+                                   pen(path_index(alone, i), alone ? 1.4 : 0.8)));
   set_unit(panel, units);
   return panel;
 }
@@ -350,7 +362,9 @@ void draw_plan(Svg& svg, const Frame& frame, const Scaling& in_unit, const Scene
                      : 0.2);
     plan.dot(at(item, start, Vector3::Zero()), 3.5,
              {.stroke = kStartColor, .width = 1.5, .fill = "#ffffff"});
-    plan.dot(at(item, end, Vector3::Zero()), 3.5, {.stroke = "", .fill = path_color(alone, i)});
+    if (stands(end))
+      plan.dot(at(item, end, Vector3::Zero()), 3.5,
+               {.stroke = "", .fill = palette(path_index(alone, i))});
   }
   draw_tethers(plan, scene, response);
   for (const Impact& impact : response.impacts) plan.cross(impact.point.head<2>());
@@ -362,8 +376,6 @@ void draw_plan(Svg& svg, const Frame& frame, const Scaling& in_unit, const Scene
   if (!alone) draw_legend(svg, plan, frame, scene, response, units);
 }
 
-constexpr double kWidth = 1060, kHeight = 150, kPlanWidth = 740;
-
 /// Panels over time, in the units of the figure.
 struct Panels {
   const study::RunFacts& facts;
@@ -374,7 +386,8 @@ struct Panels {
     return {.title = title,
             .x_label = "Time (s)",
             .y_label = with_unit(quantity, units.of(unit)),
-            .legend_columns = legend_columns};
+            .legend_columns = legend_columns,
+            .least_span = least_span(unit) / units.of(unit).in_si};
   }
 
   template <class Get>
@@ -485,8 +498,6 @@ struct Panels {
       add(distance, names[i], history, "m",
           [](const Sample& s) { return s.displacement.head<2>().norm(); });
       add(tilt, names[i], history, "rad", [](const Sample& s) { return s.tilt; });
-      for (Panel* panel : {&distance, &tilt})
-        if (i >= 7) panel->curves.back().pen.dash = "5 3";  // the palette repeats
     }
     return {distance, tilt};
   }
@@ -527,6 +538,9 @@ std::string run_figure(const study::RunFacts& facts, const Response& response,
   }
   chart.panels =
       of_height(alone ? make.of_item(response.items[0]) : make.of_items(response), kHeight);
+  for (PlotPanel& each : chart.panels)
+    if (each.panel.lanes)
+      each.height = std::max(kHeight, kLane * static_cast<double>(each.panel.curves.size()));
   chart.panels.insert(chart.panels.begin(), std::move(plan));
   return chart.svg({.width = kWidth});
 }

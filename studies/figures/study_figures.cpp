@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "studies/analysis/study_data.h"
 #include "studies/figures/labels.h"
@@ -32,11 +33,12 @@ void add_band(Panel& panel, const std::vector<double>& im, const statistics::Fra
 }
 
 void add_curve(Panel& panel, const std::string& label, const std::vector<double>& im,
-               const std::optional<statistics::LognormalCurve>& of, double unit,
-               std::size_t color) {
+               const study::FittedCurve& fitted, double unit, std::size_t color) {
+  const auto curve = fitted.curve();
   panel.curves.push_back(curve_over(
       label, im, pen(color, 1.8), [&](double each) { return each / unit; },
-      [&](double each) { return of ? of->probability(each) : std::nan(""); }));
+      [&](double each) { return curve ? curve->probability(each) : std::nan(""); }));
+  panel.curves.back().known = {fitted.audit.lowest / unit, fitted.audit.highest / unit};
 }
 
 /// The fraction that exceeded at each im with so many runs.
@@ -104,7 +106,7 @@ Panel state_panel(const std::vector<const study::FragilityResult*>& results,
   for (std::size_t i = 0; i < results.size(); ++i) {
     const study::FragilityResult& result = *results[i];
     im = widened(im, result.im);
-    add_curve(panel, label_of_curve(result), result.im, result.curve(), unit.in_si, i);
+    add_curve(panel, label_of_curve(result), result.im, result, unit.in_si, i);
     if (!result.by_capacities()) panel.curves.back().key = marker(i);
     if (result.curve() && !result.band.too_few)
       add_band(panel, result.im, result.band, unit.in_si, i);
@@ -127,7 +129,7 @@ void add_side(Panel& panel, const std::string& name, std::size_t side,
   for (int i = 0; i < kPoints; ++i)
     im.push_back(extent.low * std::pow(extent.high / extent.low, i / (kPoints - 1.0)));
   const statistics::FragilityBand band = study::band_of_curve(fitted, im, confidence);
-  add_curve(panel, name, im, fitted.curve(), unit, side);
+  add_curve(panel, name, im, fitted, unit, side);
   if (!fitted.capacities) panel.curves.back().key = marker(side);
   if (fitted.curve() && !band.too_few) add_band(panel, im, band, unit, side);
   if (fitted.capacities)
@@ -232,7 +234,7 @@ Panel tornado_panel(const study::StudySensitivity& found, const Inputs& inputs, 
               .x_label = "",
               .y_label = "",
               .legend_columns = 2,
-              .rows = std::vector<std::string>(std::max<std::size_t>(1, inputs.size())),
+              .rows = std::vector<std::string>(inputs.size()),
               .guides = {{mean}}};
   panel.marks = {key(fmt::format("lowest {:g} % of the input", 100 * found.share), low),
                  key("highest", high)};
@@ -291,6 +293,16 @@ Panel index_panel(const study::StudySensitivity& found, const Inputs& inputs) {
   return panel;
 }
 
+/// "30 runs: the lowest and the highest 10 % of an input have 3 runs each, and a mean needs 10".
+std::string why_no_bar(const study::StudySensitivity& found) {
+  const auto drawn = std::ranges::find_if(found.inputs, &study::SensitiveInput::drawn);
+  if (drawn == found.inputs.end()) return "no input is a drawn number";
+  return fmt::format(
+      "{} runs: the lowest and the highest {:g} % of an input have {} runs each, "
+      "and a mean needs {}",
+      found.runs, 100 * found.share, drawn->bar.low_runs, study::kFewestOfMean);
+}
+
 std::size_t fewest_of(const Inputs& inputs) {
   std::size_t fewest = inputs.front().bar.low_runs;
   for (const study::SensitiveInput& each : inputs)
@@ -307,10 +319,11 @@ std::string fragility_figure(const study::StudyData& data,
       results, [](const study::FragilityResult& each) { return each.by_capacities(); });
   Chart chart{
       data.file().text_attribute("title"),
-      ida ? "line: fitted curve; area: 95 % confidence band; steps: empirical distribution of the "
-            "records' capacities; marks: fractions of 3 or more runs"
-          : "line: fitted curve; area: 95 % confidence band over records; marks: fractions of "
-            "runs"};
+      ida ? "line: fitted curve, dotted beyond the intensities of the runs; area: 95 % confidence "
+            "band; steps: empirical distribution of the records' capacities; marks: fractions of 3 "
+            "or more runs"
+          : "line: fitted curve, dotted beyond the intensities of the runs; area: 95 % confidence "
+            "band over records; marks: fractions of runs"};
   std::vector<std::string> states;
   for (const study::FragilityResult& each : results) {
     if (std::ranges::find(states, each.state) != states.end()) continue;
@@ -330,8 +343,8 @@ std::string comparison_figure(const report::ComparisonReport& report) {
   Chart chart{
       report.name_a + " against " + report.name_b,
       fmt::format(
-          "line: fitted curve; area: {:g} % confidence band; marks: fractions of runs; steps: "
-          "capacities of an IDA",
+          "line: fitted curve, dotted beyond the intensities of the runs; area: {:g} % confidence "
+          "band; marks: fractions of runs; steps: capacities of an IDA",
           100 * report.confidence)};
   for (const study::ComparedCurves& each : report.found.curves) {
     if (each.a.fit.exceeded + each.b.fit.exceeded == 0) continue;
@@ -371,15 +384,20 @@ std::string sensitivity_figure(const report::SensitivityReport& report) {
   if (inputs.size() > kMaxRows) inputs.resize(kMaxRows);
   std::string about = report.configuration;
   if (!found.level.empty()) about += (about.empty() ? "" : ", ") + found.level;
+  Chart chart{.title = "Sensitivity of " + words_of(found.output),
+              .note = fmt::format("{}{}{} runs{}", about, about.empty() ? "" : ", ", found.runs,
+                                  found.inputs.size() > kMaxRows ? ", first 20 inputs" : ""),
+              .panels = {{.panel = index_panel(found, inputs)}}};
+  if (std::ranges::none_of(inputs, has_bar)) {
+    chart.note += "; no tornado: " + why_no_bar(found);
+    return chart.svg({.width = 700});
+  }
+  chart.note += "; dashed: mean of all runs";
   Panel tornado = tornado_panel(found, inputs, unit.in_si);
   tornado.x_label = fmt::format("Mean{}", unit.name == "1" ? "" : " (" + unit.name + ")");
-  return Chart{.title = "Sensitivity of " + words_of(found.output),
-               .note = fmt::format("{}{}{} runs{}; dashed: mean of all runs", about,
-                                   about.empty() ? "" : ", ", found.runs,
-                                   found.inputs.size() > kMaxRows ? ", first 20 inputs" : ""),
-               .panels = {{.panel = index_panel(found, inputs)}, {.panel = std::move(tornado)}},
-               .columns = 2}
-      .svg({.width = 1180});
+  chart.panels.push_back({.panel = std::move(tornado)});
+  chart.columns = 2;
+  return chart.svg({.width = 1180});
 }
 
 std::string tornado_figure(const PlotPage& page, const std::string& title,
@@ -388,24 +406,28 @@ std::string tornado_figure(const PlotPage& page, const std::string& title,
               "means over the runs in which an input is low or high; dashed: mean of all "
               "runs"};
   bool cut = false;
+  std::string without;
   for (const report::SensitivityReport& each : reports) {
     const study::StudySensitivity& found = each.found;
     const study::ReportUnit unit = each.units.of(found.units);
     const Inputs inputs = longest(found);
-    Panel panel = tornado_panel(found, inputs, unit.in_si);
-    panel.title =
+    const std::string name =
         words_of(found.output) + (each.configuration.empty() ? "" : ", " + each.configuration);
-    panel.x_label = with_unit(
-        inputs.empty()
-            ? fmt::format("Means of fewer than {} runs are not drawn", study::kFewestOfMean)
-            : fmt::format("Mean over {} runs or more", fewest_of(inputs)),
-        unit);
-    if (!inputs.empty()) panel.rows = names_of(inputs);
+    if (inputs.empty()) {
+      without += "; no tornado of " + name + ": " + why_no_bar(found);
+      continue;
+    }
+    Panel panel = tornado_panel(found, inputs, unit.in_si);
+    panel.title = name;
+    panel.x_label = with_unit(fmt::format("Mean over {} runs or more", fewest_of(inputs)), unit);
+    panel.rows = names_of(inputs);
     chart.panels.push_back({.panel = std::move(panel)});
     cut = cut || std::ranges::count_if(found.inputs, &study::SensitiveInput::drawn) >
                      static_cast<std::ptrdiff_t>(kMaxRows);
   }
+  require(!chart.panels.empty(), "nothing to draw" + without);
   if (cut) chart.note += "; the 20 longest bars";
+  chart.note += without;
   return chart.svg(page);
 }
 

@@ -116,6 +116,103 @@ TEST(Chart, PlacesPanelsInAGrid) {
   EXPECT_LT(svg.find(">wide<"), svg.find(">below<"));
 }
 
+/// Advances of DejaVu Sans, the widest of the figures' fonts, at 1000 px.
+TEST(Text, IsMeasuredInTheWidestFont) {
+  EXPECT_NEAR(text_width("free_width_at_end < 0.8 m", 1000), 13473, 60);  // without kerning
+  EXPECT_NEAR(text_width("\u03c3 0.505", 1000), 634 + 318 + 4 * 636 + 318, 10);
+}
+
+/// Begin and end of every horizontal text [px].
+std::vector<std::pair<double, double>> extents(const std::string& svg) {
+  std::vector<std::pair<double, double>> found;
+  for (auto at = svg.find("<text "); at != std::string::npos; at = svg.find("<text ", at + 1)) {
+    double x = 0, y = 0, size = 0;
+    char anchor[8] = "";
+    EXPECT_EQ(std::sscanf(svg.c_str() + at,
+                          "<text x=\"%lf\" y=\"%lf\" font-size=\"%lf\" text-anchor=\"%7[a-z]", &x,
+                          &y, &size, anchor),
+              4);
+    const auto from = svg.find('>', at) + 1;
+    if (svg.substr(at, from - at).find("rotate") != std::string::npos) continue;
+    const double wide = text_width(svg.substr(from, svg.find('<', from) - from), size);
+    const double left = x - (anchor[0] == 's' ? 0 : anchor[0] == 'm' ? wide / 2 : wide);
+    found.emplace_back(left, left + wide);
+  }
+  return found;
+}
+
+TEST(Text, StaysOnThePaper) {
+  study::DemandRuns all = demands();
+  all.configurations[0].name = "beds braked, carts free";
+  for (const double width : {300.0, 480.0, 700.0})
+    for (const std::string& svg : {cloud_figure({.width = width}, "title", {all}),
+                                   stripes_figure({.width = width}, "", {all}),
+                                   distribution_figure({.width = width}, "", {all})})
+      for (const auto& [from, to] : extents(svg)) {
+        EXPECT_GE(from, 0);
+        EXPECT_LE(to, width);
+      }
+}
+
+/// A title that is wider than its panel goes on in a second line.
+TEST(Text, OfTitlesIsWhole) {
+  const std::string title =
+      "no wheelchair passes: corridor: free_width_at_end below 0.8 m at the end";
+  const Panel panel{
+      .title = title, .x_label = "", .y_label = "", .curves = {{"", {0, 1}, {0, 1}, {}}}};
+  const std::string svg = Chart{"", "", {{.panel = panel}}}.svg({.width = 480});
+  EXPECT_THAT(svg, Not(HasSubstr("\u2026")));
+  EXPECT_THAT(svg, HasSubstr(" at the end<"));
+}
+
+TEST(Axes, HaveTwoTicksOrMore) {
+  EXPECT_EQ(axis_ticks({-8, 8}, 2), (std::vector<double>{-5, 0, 5}));
+  EXPECT_EQ(axis_ticks({0, 10}, 5), ticks({0, 10}, 5));
+}
+
+TEST(Axes, OfDecadesHaveOneFormOfNumbers) {
+  const Panel panel{.title = "",
+                    .x_label = "",
+                    .y_label = "",
+                    .curves = {{"", {180, 6000}, {0, 1}, {}}},
+                    .log_x = true};
+  const std::string svg = Chart{"", "", {{.panel = panel}}}.svg();
+  EXPECT_THAT(svg, HasSubstr(">200<"));
+  EXPECT_THAT(svg, HasSubstr(">1000<"));
+  EXPECT_THAT(svg, Not(HasSubstr("e+03<")));
+}
+
+/// Rounding of 1e-13 rad is a flat line.
+TEST(Axes, DoNotMagnifyRounding) {
+  const study::StoredHistory swivel{
+      "swivel_angle", "rad", "wheel", {0, 1, 2}, {{"leg 1", "", {0, 8e-15, -3e-15}}}};
+  const std::string svg = history_figure({}, "title", "", {swivel});
+  EXPECT_EQ(count(svg, "e-1"), 0u);
+  EXPECT_GE(count(svg, ">0.02<"), 1u);  // deg: of a span of 0.1 deg
+}
+
+TEST(Colors, ThatRepeatHaveDashes) {
+  EXPECT_EQ(palette(7), palette(0));
+  EXPECT_NE(pen(7).dash, pen(0).dash);
+  EXPECT_NE(pen(14).dash, pen(7).dash);
+  Panel panel{.title = "", .x_label = "", .y_label = "", .legend_columns = 3};
+  for (std::size_t i = 0; i < 8; ++i)
+    panel.curves.push_back({std::to_string(i), {0, 1}, {0, 1}, pen(i)});
+  const std::string svg = Chart{"", "", {{.panel = panel}}}.svg();
+  EXPECT_EQ(count(svg, "stroke-dasharray=\"" + pen(7).dash + '"'), 2u) << "curve and key";
+}
+
+/// A curve over 1 to 4 that is known from 1.5 to 3.
+TEST(Curves, AreDottedWhereNothingIsKnown) {
+  Panel panel{.title = "", .x_label = "", .y_label = ""};
+  panel.curves = {{"", {1, 2, 4}, {0, 1, 3}, pen(0)}};
+  EXPECT_EQ(count(Chart{"", "", {{.panel = panel}}}.svg(), "<polyline"), 1u);
+  panel.curves.front().known = {1.5, 3};
+  const std::string svg = Chart{"", "", {{.panel = panel}}}.svg();
+  EXPECT_EQ(count(svg, "<polyline"), 3u);
+  EXPECT_EQ(count(svg, "stroke-dasharray=\"1.5 3\""), 2u);
+}
+
 TEST(PlotFigures, IdaHasCurvesFractilesAndOverturnings) {
   const std::string svg = ida_figure({}, "title", {demands()});
   expect_drawn(svg);

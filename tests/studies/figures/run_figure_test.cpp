@@ -96,6 +96,17 @@ TEST(Figure, ShowsARoomOfSeveralItems) {
   EXPECT_EQ(count(svg, "Tilt"), 1u);
 }
 
+/// The origin of an item that lies is a point below its base, off its outline.
+TEST(Figure, MarksTheOriginOnlyWhileItStands) {
+  const std::string end = "r=\"3.50\" fill=\"" + palette(1) + '"';
+  Response response = synthetic_response();
+  EXPECT_EQ(count(run_figure(synthetic_facts(), response), end), 1u);
+  response.items[0].history.back().tilt = 1.5;
+  const std::string svg = run_figure(synthetic_facts(), response);
+  EXPECT_EQ(count(svg, end), 0u);
+  EXPECT_EQ(count(svg, ">path while it stands<"), 1u);
+}
+
 TEST(Figure, ShowsTheRoomOfASingleItem) {
   study::RunFacts facts = synthetic_facts();
   facts.scene.room = {{"wall", "", {2, 0, 1}, Quaternion::Identity(), RoomBox{{0.2, 4, 2}}}};

@@ -50,6 +50,39 @@ TEST(TornadoFigure, LongestBarsAreAbove) {
   EXPECT_NEAR(low[0], 10 * low[1], 10 * 0.005 + 0.005);
 }
 
+/// Means of few runs are none: the reason is said, or is the error where it is all there is.
+TEST(TornadoFigure, SaysWhyThereAreNoBars) {
+  study::StudySensitivity found;
+  found.output = "ICU bed: peak_displacement";
+  found.units = "m";
+  found.runs = 30;
+  found.inputs = {input("mass", std::nan(""), std::nan(""))};
+  found.inputs[0].bar.low_runs = found.inputs[0].bar.high_runs = 3;
+  const char* const why =
+      "30 runs: the lowest and the highest 10 % of an input have 3 runs each, and a mean needs 10";
+  EXPECT_ERROR(tornado_figure({}, "title", {{"off", found, ""}}), why);
+  EXPECT_THAT(sensitivity_figure({"off", found, ""}), HasSubstr("no tornado: 30 runs: the lowest"));
+  EXPECT_THAT(sensitivity_figure({"off", found, ""}), Not(HasSubstr("Mean (m)")));
+  study::StudySensitivity drawn = found;
+  drawn.inputs = {input("mass", 0.1, 0.4)};
+  const std::string svg = tornado_figure({}, "title", {{"off", found, ""}, {"on", drawn, ""}});
+  EXPECT_THAT(svg, HasSubstr("no tornado of ICU bed: Peak displacement, off"));
+  EXPECT_THAT(svg, HasSubstr("Peak displacement, on<"));
+}
+
+/// Ends and middle of an interval are lines: a rectangle without an area is not drawn.
+TEST(SensitivityFigure, DrawsIntervals) {
+  study::StudySensitivity found;
+  found.output = "ICU bed: peak_displacement";
+  found.units = "m";
+  found.inputs = {input("mass", 0.1, 0.4)};
+  found.inputs[0].index = statistics::VarianceIndex{0.5, {0.25, 0.75}};
+  const std::string svg = sensitivity_figure({"off", found, ""});
+  EXPECT_THAT(svg, Not(HasSubstr("height=\"0.00\"")));
+  EXPECT_THAT(svg, Not(HasSubstr("width=\"0.00\"")));
+  EXPECT_EQ(numbers(svg, "<line x1=\"([0-9.]+)\"[^>]*stroke-width=\"1.4\"").size(), 3u);
+}
+
 study::StoredImpact impact(const std::string& item, double speed) {
   return {.run = 0, .item = item, .other = "wall", .x = 1, .y = 1, .speed = speed};
 }
