@@ -64,10 +64,13 @@ std::string no_rate_text(const std::string& hazard_over) {
 }
 
 std::string interval_text(const statistics::Interval& interval, double in_si, int digits,
-                          std::size_t records) {
+                          const CurveAudit& audit) {
   const bool low = interval.low > 0, high = std::isfinite(interval.high);
   if (!low && !high)
-    return fmt::format("unbounded ({} record{})", records, records == 1 ? "" : "s");
+    return has_few_records(audit)
+               ? fmt::format("none: fewer than {:g} effective records", audit.fewest)
+               : fmt::format("unbounded ({} record{})", audit.records,
+                             audit.records == 1 ? "" : "s");
   const auto end = [&](double value, bool known) {
     return known ? fmt::format("{:.{}g}", value / in_si, digits) : std::string("unbounded");
   };

@@ -59,9 +59,10 @@ CurveAudit outcome_audit(const statistics::FragilityFit& fit,
 /// `no annual rate: the hazard of the job is over PGA geomean`
 std::string no_rate_text(const std::string& hazard_over);
 
-/// `0.22 to 1.1`; `0.22 to unbounded`; `unbounded (5 records)` where neither end is bounded.
+/// `0.22 to 1.1`; `0.22 to unbounded`; where neither end is bounded `none: fewer than 8 effective
+/// records` or `unbounded (12 records)`.
 std::string interval_text(const statistics::Interval& interval, double in_si, int digits,
-                          std::size_t records);
+                          const CurveAudit& audit);
 
 /// A sentence for each reason not to use the curve as it stands, or with care.
 std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit);

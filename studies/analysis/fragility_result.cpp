@@ -113,16 +113,16 @@ SiteRate site_rate(const statistics::LognormalCurve& curve, const statistics::Fr
   return rate;
 }
 
-std::string rate_interval_text(const SiteRate& rate, std::size_t records) {
+std::string rate_interval_text(const SiteRate& rate, const CurveAudit& audit) {
   const statistics::Interval of =
       rate.has_interval ? rate.interval : statistics::Interval{0, kInfinity};
-  return interval_text(of, 1, 3, records);
+  return interval_text(of, 1, 3, audit);
 }
 
-std::string rate_text(const SiteRate& rate, std::size_t records) {
+std::string rate_text(const SiteRate& rate, const CurveAudit& audit) {
   if (std::isnan(rate.rate)) return "no annual rate";
   return fmt::format("{:.3g} times a year (95 %: {}), {:.2g} % in 50 years", rate.rate,
-                     rate_interval_text(rate, records),
+                     rate_interval_text(rate, audit),
                      100 * statistics::probability_in(50, rate.rate));
 }
 

@@ -37,8 +37,8 @@ SiteRate site_rate(const statistics::LognormalCurve& curve, const statistics::Fr
                    const CurveAudit& audit, const statistics::HazardCurve& hazard);
 
 /// `0.0012 times a year (0.0007 to 0.0021), 6 % in 50 years`
-std::string rate_text(const SiteRate& rate, std::size_t records);
-std::string rate_interval_text(const SiteRate& rate, std::size_t records);
+std::string rate_text(const SiteRate& rate, const CurveAudit& audit);
+std::string rate_interval_text(const SiteRate& rate, const CurveAudit& audit);
 
 std::vector<std::string> cautions(const SiteRate& rate, const ReportUnit& unit);
 

@@ -23,6 +23,8 @@
 #include "studies/report/run_report.h"
 #include "studies/results/columns.h"
 #include "studies/results/hdf5_reader.h"
+#include "studies/results/names.h"
+#include "studies/results/stored_predictability.h"
 #include "studies/run/part_folder.h"
 #include "studies/run/run_task.h"
 #include "studies/run/study_identity.h"
@@ -178,7 +180,7 @@ RepeatedRun single_run(const std::string& path, const std::string& named) {
   const study::Hdf5Reader file(path);
   require(type_of(file) == "gurney-results", path + ": is not a results file");
   const std::string job = existing_job(path, named);
-  RepeatedRun result{source_of(path, job), {}};
+  RepeatedRun result{source_of(path, job), {}, study::stored_predictability(file)};
   const std::string& text = result.run.facts.job_text;
   if (result.run.facts.job_sha256 != file.text_attribute("job_sha256"))
     throw Error(fmt::format("{}: is not the job of {}: {}", job, path,
@@ -279,14 +281,34 @@ RepeatedRun repeated_run(const std::string& file, std::optional<std::size_t> ind
           [of_study](const Response& response) { return of_study->difference(response); }};
 }
 
+namespace {
+
+/// Puts what the file states in place of the same from other samples.
+void keep(const std::vector<std::pair<std::string, Predictability>>& stored, const Scene& scene,
+          Response& response) {
+  const std::vector<std::string> names = study::item_names(scene);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto& found = response.items[i].predictability;
+    const auto row =
+        std::ranges::find(stored, names[i], [](const auto& each) { return each.first; });
+    if (!found || row == stored.end()) continue;
+    Predictability kept = row->second;
+    kept.twin = std::move(found->twin);
+    kept.half_step = std::move(found->half_step);
+    found = std::move(kept);
+  }
+}
+
+}  // namespace
+
 Explained explained(const RepeatedRun& again, const study::UnitSystem& units) {
   const study::RunFacts& facts = again.run.facts;
   const auto settings =
       explanation::finely_stored(facts.settings, facts.floor, facts.scene.items.size());
-  const Response response =
-      run_judged(facts.scene, facts.floor, settings, threads_or_all()).response;
+  Response response = run_judged(facts.scene, facts.floor, settings, threads_or_all()).response;
   const std::string differs = again.difference(response);
   require(differs.empty(), differs);
+  keep(again.predictability, facts.scene, response);
   explanation::Explanation found = explanation::explain(facts, response);
   found.units = units;
   return {std::move(found), report::narrative(facts, response, units)};

@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/response/response.h"
 #include "studies/explanation/facts.h"
@@ -64,6 +66,8 @@ struct RepeatedRun {
   study::PreparedRun run;
   /// Difference to the demands in the file, with its probable cause; empty: none.
   std::function<std::string(const Response&)> difference;
+  /// What the file of a single run states of its items, which no other spacing of histories changes.
+  std::vector<std::pair<std::string, Predictability>> predictability = {};
 };
 
 /// @param index  the run of a study; of a single run none or 0

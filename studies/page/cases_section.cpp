@@ -135,11 +135,12 @@ Html all_cases(const std::vector<CaseColumn>& columns, const std::string& replay
     if (column.texts.empty()) attributes.emplace_back("class", "number");
     head += element("th", element("button", column.title, {{"type", "button"}}), attributes);
   }
-  const Html tools = element("label", escaped("Show runs with ") +
-                                          Html{"<input id=\"cases-filter\" type=\"search\" "
-                                               "placeholder=\"record, outcome, number\">"}) +
-                     button("cases-back", "Back") + button("cases-on", "Next") +
-                     element("span", "", {{"id", "cases-page"}, {"role", "status"}});
+  const Html tools =
+      element("label", escaped("Show runs with ") +
+                           Html{"<input id=\"cases-filter\" type=\"search\" "
+                                "size=\"28\" placeholder=\"record, outcome, number\">"}) +
+      button("cases-back", "Back") + button("cases-on", "Next") +
+      element("span", "", {{"id", "cases-page"}, {"role", "status"}});
   const Html table = element(
       "table",
       element("caption", "All runs; the number of a run gives the command that re-runs it") +
@@ -184,8 +185,8 @@ std::vector<CaseColumn> case_columns(const study::StudyData& data) {
     columns.push_back(exceeded(data, state));
   std::erase_if(columns, is_constant);
   for (const char* each : {"peak_displacement", "peak_tilt"}) columns.push_back(demand(data, each));
-  columns.insert(columns.begin(), of_counts("Run", index));
-  columns.push_back(of_texts("Outcome", file.strings("runs/outcome")));
+  columns.insert(columns.begin(),
+                 {of_counts("Run", index), of_texts("Outcome", file.strings("runs/outcome"))});
   return columns;
 }
 
@@ -214,7 +215,7 @@ std::string case_json(const std::vector<CaseColumn>& columns, const std::string&
 
 Section study_cases(const StudyPage& page) {
   const std::vector<CaseColumn> columns = case_columns(page.data);
-  const CaseColumn& peak = columns[columns.size() - 3];  // before tilt and outcome
+  const CaseColumn& peak = columns[columns.size() - 2];  // before tilt
   // Runs of an unfinished study will have other numbers.
   const std::string replay =
       page.unfinished.empty() ? "gurney replay " + shell_word(page.path) : "";

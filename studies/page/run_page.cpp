@@ -17,6 +17,7 @@
 #include "studies/report/overview_report.h"
 #include "studies/results/columns.h"
 #include "studies/results/names.h"
+#include "studies/results/stored_predictability.h"
 
 namespace gurney::page {
 namespace {
@@ -138,27 +139,10 @@ struct RunFile {
 
 /// The verdict on each item whose numbers are those of one run among many, before all numbers.
 std::vector<std::string> cautions_of(const RunFile& run) {
-  using Verdict = Predictability::Verdict;
   std::vector<std::string> all;
-  const auto datasets = run.file.datasets();
-  if (std::ranges::find(datasets, "/predictability/item", &study::Hdf5Dataset::path) ==
-      datasets.end())
-    return all;  // of a program that did not judge runs
-  const auto items = run.file.strings("/predictability/item"),
-             verdicts = run.file.strings("/predictability/verdict");
-  const auto peaks = run.file.numbers("/predictability/time_of_peaks"),
-             growth = run.file.numbers("/predictability/amplification_at_peaks"),
-             horizons = run.file.numbers("/predictability/horizon");
-  for (std::size_t i = 0; i < items.size() && i < verdicts.size(); ++i)
-    for (const Verdict verdict : {Verdict::kChaotic, Verdict::kSensitive})
-      if (verdicts[i] == name_of(verdict)) {
-        Predictability found;
-        found.verdict = verdict;
-        found.time_of_peaks = peaks.at(i);
-        found.amplification_at_peaks = growth.at(i);
-        found.horizon = horizons.at(i);
-        all.push_back(items[i] + ": " + explanation::sentence(found) + ".");
-      }
+  for (const auto& [item, found] : study::stored_predictability(run.file))
+    if (found.verdict != Predictability::Verdict::kPredictable)
+      all.push_back(item + ": " + explanation::sentence(found) + ".");
   if (run.overview.outcome == name_of(Outcome::kStillMoving))
     all.push_back("Something still moved at the end: residual values are not final.");
   all.insert(all.end(), run.overview.file.warnings.begin(), run.overview.file.warnings.end());
@@ -196,7 +180,8 @@ void insert_settled(const RunFile& run, Table& table) {
     table.columns.insert(table.columns.begin() + at, {"", "settled to"});
     for (std::vector<Cell>& row : table.rows) {
       const auto found = of.find({name, written(row.front().value, {})});
-      row.insert(row.begin() + at, found == of.end() ? std::string() : found->second);
+      const bool absent = found == of.end() || row[item].value.is_missing();
+      row.insert(row.begin() + at, absent ? std::string() : found->second);
     }
   }
 }

@@ -135,6 +135,18 @@ Html left_out(const StudyPage& page, std::size_t items) {
                   fmt::join(parts, " and "), shell_word(page.path)));
 }
 
+/// Names the limit states that the figure leaves out.
+Html without_panel(const StudyPage& page, const std::set<std::string>& with_curve) {
+  std::vector<std::string> names;
+  for (const study::FragilityResult& each : page.fragilities)
+    if (!with_curve.contains(each.state) && std::ranges::find(names, each.state) == names.end())
+      names.push_back(each.state);
+  if (names.empty()) return {};
+  return paragraph(
+      fmt::format("Without a panel, as no configuration has a curve, for the reasons above: {}.",
+                  fmt::join(names, "; ")));
+}
+
 /// Curves of the limit states that have one.
 Html figure_of_curves(const StudyPage& page) {
   std::vector<study::FragilityResult> drawn;
@@ -154,6 +166,7 @@ Html figure_of_curves(const StudyPage& page) {
       Drawing{"fragility", figures::fragility_figure(page.data, drawn, paper),
               "Fragility curves with 95 % confidence bands, where there are enough records.",
               "Probability of exceedance over intensity; the table has medians and dispersions."}));
+  figure += without_panel(page, with_curve);
   if (configurations.size() > kMaxConfigurations)
     figure += paragraph(fmt::format(
         "The figure draws the first {} of {} configurations. Others: gurney fragility {} "

@@ -71,7 +71,7 @@ Table trials_table(const calibration::Calibration& c) {
              {{"sha256", "SHA-256"}, t.sha256},
              {{"file", "file"}, t.file},
              {"line", t.line == 0 ? Value() : Value(t.line)},
-             {{"excluded", "excluded"}, t.excluded.empty() ? Value() : Value(t.excluded)}});
+             {"excluded", t.excluded.empty() ? Value() : Value(t.excluded)}});
   table.most = 0;
   return table;
 }

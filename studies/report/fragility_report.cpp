@@ -348,7 +348,7 @@ std::vector<std::string> fragility_notes(const study::FragilityResult& result,
         result.cloud->exact, result.cloud->at_least, result.cloud->at_most, result.cloud->sigma,
         kSigmaConvention, result.by_cloud() ? "" : "; to use it: --method cloud"));
   if (result.rate) {
-    note(study::rate_text(*result.rate, result.records));
+    note(study::rate_text(*result.rate, result.audit));
     for (const std::string& caution : study::cautions(*result.rate, unit))
       note("caution: " + caution);
   }
@@ -381,7 +381,7 @@ findings::Table fragility_table(const std::vector<study::FragilityResult>& resul
   const findings::Format theta = format_of(unit, 1, ".3g"), two{".2g"};
   const auto intervals = [&](const study::FragilityResult& each, double in_si, int digits,
                              const statistics::Interval& of) {
-    return each.curve() ? study::interval_text(of, in_si, digits, each.records) : std::string();
+    return each.curve() ? study::interval_text(of, in_si, digits, each.audit) : std::string();
   };
   findings::Table table{"",
                         "",
@@ -406,10 +406,9 @@ findings::Table fragility_table(const std::vector<study::FragilityResult>& resul
                      : short_reason(study::no_curve_text(each, unit)),
                intervals(each, 1, 2, each.band.beta)});
     if (rates && each.rate)
-      table.rows.back().insert(
-          table.rows.back().end(),
-          {each.rate->rate, study::rate_interval_text(*each.rate, each.records),
-           statistics::probability_in(50, each.rate->rate)});
+      table.rows.back().insert(table.rows.back().end(),
+                               {each.rate->rate, study::rate_interval_text(*each.rate, each.audit),
+                                statistics::probability_in(50, each.rate->rate)});
     else if (rates)
       table.rows.back().resize(table.columns.size(), findings::Value());
   }

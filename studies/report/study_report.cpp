@@ -44,7 +44,7 @@ std::string headline(const study::StudyOverview& overview, const study::Fragilit
   return fmt::format("{}median {} of {:.3g}{} (95 % interval {}), dispersion {:.2f}.", subject,
                      measure_words(of.measure.name), of.curve()->theta / unit.in_si,
                      unit.name == "1" ? "" : " " + unit.name,
-                     study::interval_text(of.band.theta, unit.in_si, 3, of.records),
+                     study::interval_text(of.band.theta, unit.in_si, 3, of.audit),
                      of.curve()->beta);
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -43,6 +44,20 @@ class FragilityResultTest : public testing::Test {
   }
   TempFolder folder_;
 };
+
+TEST(IntervalText, SaysWhyThereIsNone) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  CurveAudit audit;
+  audit.theta = 1;
+  audit.records = 6;
+  audit.effective = 6;
+  audit.fewest = 8;
+  EXPECT_EQ(interval_text({0, kFar}, 1, 3, audit), "none: fewer than 8 effective records");
+  audit.records = 12;
+  audit.effective = 12;
+  EXPECT_EQ(interval_text({0, kFar}, 1, 3, audit), "unbounded (12 records)");
+  EXPECT_EQ(interval_text({0.5, kFar}, 0.5, 3, audit), "1 to unbounded");
+}
 
 TEST_F(FragilityResultTest, GivesBackTheCurveThatTheDemandsFollow) {
   // 400 records on nine levels: fractions are those of the law to 1/400, and the levels weigh at

@@ -40,7 +40,7 @@ TEST(SiteRate, IsSupportedWhereTheRunsAre) {
   // k0 im^-k at the lowest level
   EXPECT_NEAR(*rate.of_lowest, 1e-4 * std::pow(10, 2.5), 1e-15);
   EXPECT_LT(rate.interval.high, *rate.of_lowest);
-  EXPECT_THAT(rate_text(rate, 40), HasSubstr(" times a year (95 %: "));
+  EXPECT_THAT(rate_text(rate, {}), HasSubstr(" times a year (95 %: "));
 }
 
 // beta 0.7, k 3: the integrand is lognormal about theta exp(-k beta^2): Phi(ln(0.1 / 0.4) /
@@ -62,7 +62,7 @@ TEST(SiteRate, IsNotStatedAboveTheHazardOfTheLowestLevel) {
   EXPECT_TRUE(std::isnan(rate.rate));
   EXPECT_FALSE(rate.is_supported());
   EXPECT_TRUE(std::isinf(rate.interval.high));
-  EXPECT_EQ(rate_text(rate, 40), "no annual rate");
+  EXPECT_EQ(rate_text(rate, {}), "no annual rate");
   EXPECT_THAT(cautions(rate, {"g", 1}),
               testing::ElementsAre(HasSubstr("motions above the lowest analysed intensity, 0.1 a "
                                              "year at 0.1 g: the runs do not support a rate")));

@@ -9,6 +9,7 @@
 #include "studies/analysis/fragility_result.h"
 #include "studies/page/study_page.h"
 #include "studies/results/results_file.h"
+#include "studies/results/stored_predictability.h"
 #include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/studies/page/balanced.h"
 #include "tests/studies/page/large_study.h"
@@ -167,6 +168,48 @@ TEST(Page, OfOneRunBeginsWithItsVerdictAndNarrative) {
   response.items[0].predictability->verdict = Predictability::Verdict::kPredictable;
   folder.write("p.h5", study::results_image(synthetic_facts(), response));
   EXPECT_THAT(results_page({.file = folder.file("p.h5")}), Not(HasSubstr("CHAOTIC")));
+}
+
+/// What one of two items does not have is settled to nothing.
+TEST(Page, SettlesOnlyWhatIsThere) {
+  const TempFolder folder;
+  study::RunFacts facts = synthetic_facts();
+  Response response = synthetic_response();
+  facts.scene.items.push_back(facts.scene.items[0]);
+  facts.scene.items[1].name = "other";
+  response.items.push_back(response.items[0]);
+  response.items[0].demands.time_of_overturning = 5;
+  response.items[1].demands.time_of_overturning = -1;
+  for (ItemResponse& item : response.items)
+    item.predictability = Predictability{.twin = item.demands, .half_step = item.demands};
+  folder.write("r.h5", study::results_image(facts, response));
+  const std::string page = results_page({.file = folder.file("r.h5")});
+  const std::string summary = between(page, "<section id=\"summary\"", "</section>");
+  const std::string row = between(summary, "Time of overturning (s)", "</tr>");
+  const auto first = row.find(" %<");
+  ASSERT_NE(first, row.npos) << row;
+  EXPECT_EQ(row.find(" %<", first + 1), row.npos) << row;
+}
+
+/// The number of the file, not another one from other samples.
+TEST(StoredPredictability, IsThatOfTheFile) {
+  const TempFolder folder;
+  Response response = synthetic_response();
+  response.items[0].predictability = Predictability{.verdict = Predictability::Verdict::kSensitive,
+                                                    .amplification = 9e3,
+                                                    .amplification_at_peaks = 7.3e3,
+                                                    .time_of_peaks = 12.5,
+                                                    .horizon = 11,
+                                                    .twin = {},
+                                                    .half_step = {}};
+  folder.write("r.h5", study::results_image(synthetic_facts(), response));
+  const auto stored = study::stored_predictability(study::Hdf5Reader(folder.file("r.h5")));
+  ASSERT_EQ(stored.size(), 1u);
+  const Predictability& found = stored.front().second;
+  EXPECT_EQ(found.verdict, Predictability::Verdict::kSensitive);
+  EXPECT_EQ(found.amplification_at_peaks, 7.3e3);
+  EXPECT_EQ(found.time_of_peaks, 12.5);
+  EXPECT_EQ(found.horizon, 11);
 }
 
 TEST(Page, OfOneRunHasItsDemands) {

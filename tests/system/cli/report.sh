@@ -50,6 +50,13 @@ expect 0 "far.html" "$gurney" report study.h5 --limit-state 'peak_displacement >
 has far.html "peak_displacement &gt; 0.2 m"
 has_not far.html "Limit state overturned"
 
+# The page runs the job again with histories of single steps: what the file states of them stays.
+{ cat run.toml; printf '[output]\nhistory_step_s = 0.252\n'; } > coarse.toml
+expect 0 "grows " "$gurney" run coarse.toml -o coarse.h5 --no-figure
+grown=$(grep -o 'grows [^ ]*-fold' stdout)
+expect 0 "coarse.html" "$gurney" report coarse.h5 -o coarse.html
+has coarse.html "$grown"
+
 echo '{"schema": "geojson/1"}' > foreign.json
 expect 1 '"gurney-calibration/1"' "$gurney" report foreign.json -o x.html
 "$gurney" verify alignment/crosswise --json > verified.json 2> stderr
