@@ -21,6 +21,7 @@
 #include "studies/cli/process.h"
 #include "studies/cli/shared_options.h"
 #include "studies/render/wrapped.h"
+#include "studies/results/hdf5_reader.h"
 
 namespace gurney::cli {
 namespace {
@@ -206,6 +207,23 @@ int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, c
   }
 }
 
+/// Runs the command and prints what it throws. @return the exit code
+int exit_code_of(CLI::App& app, const std::function<int()>& action, int argc, char** argv) {
+  try {
+    return flushed(parse_and_run(app, action, argc, argv));
+  } catch (const BadUsage& error) {
+    print_error("{}\nRun with --help for more information.\n", error.what());
+    return kBadUsage;
+  } catch (const Error& error) {
+    print_error("{}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    write_error("gurney: not enough memory\n");
+  } catch (const std::exception& error) {
+    print_error("gurney: {}\n", error.what());
+  }
+  return kBadInput;
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -227,19 +245,11 @@ int run_command_line(int argc, char** argv) {
     for (AddCommand* const add : group.commands) add(commands);
   }
   add_help(commands);
-  try {
-    return flushed(parse_and_run(app, action, argc, argv));
-  } catch (const BadUsage& error) {
-    print_error("{}\nRun with --help for more information.\n", error.what());
-    return kBadUsage;
-  } catch (const Error& error) {
-    print_error("{}\n", error.what());
-  } catch (const std::bad_alloc&) {
-    write_error("gurney: not enough memory\n");
-  } catch (const std::exception& error) {
-    print_error("gurney: {}\n", error.what());
-  }
-  return kBadInput;
+  const int code = exit_code_of(app, action, argc, argv);
+  for (const std::string& path : study::files_without_checksum())
+    print_error("{}: caution: no checksum at its end: cut off, or changed by another program\n",
+                path);
+  return code;
 }
 
 }  // namespace gurney::cli

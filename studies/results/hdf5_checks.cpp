@@ -44,12 +44,13 @@ std::string seal_of(const std::string& path) {
 
 std::string seal_of_bytes(const std::string& bytes) { return with_word(sha256(bytes)); }
 
-void check_seal(const std::string& path) {
+bool check_seal(const std::string& path) {
   const std::uintmax_t size = std::filesystem::file_size(path);
   const std::string end = end_of(path, size);
-  if (!end.starts_with(kWord)) return;
+  if (!end.starts_with(kWord)) return false;
   require(end == with_word(sha256_of_file(path, size - kLength)),
           path + ": is damaged: its bytes are not those that were written (its SHA-256 differs)");
+  return true;
 }
 
 namespace {

@@ -26,7 +26,8 @@ void probe(const std::string& path, const std::function<void()>& read);
 std::string seal_of(const std::string& path);
 std::string seal_of_bytes(const std::string& bytes);
 
-/// @throws Error where the file has a seal and its bytes are others than those that were sealed
-void check_seal(const std::string& path);
+/// @returns whether the file has a seal
+/// @throws Error where it has one and its bytes are others than those that were sealed
+bool check_seal(const std::string& path);
 
 }  // namespace gurney::hdf5

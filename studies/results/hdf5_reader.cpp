@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <new>
+#include <set>
 #include <string_view>
 
 #include "engine/base/error.h"
@@ -229,7 +231,27 @@ void check_sizes(const std::vector<Hdf5Dataset>& datasets, const std::string& pa
                       path, bytes / 1e9, size / 1e6));
 }
 
+struct Noted {
+  std::mutex mutex;
+  std::set<std::string> paths;
+};
+
+Noted& without_checksum() {
+  static Noted noted;
+  return noted;
+}
+
+void note_without_checksum(const std::string& path) {
+  const std::lock_guard lock(without_checksum().mutex);
+  without_checksum().paths.insert(path);
+}
+
 }  // namespace
+
+std::set<std::string> files_without_checksum() {
+  const std::lock_guard lock(without_checksum().mutex);
+  return without_checksum().paths;
+}
 
 Hdf5Reader::Hdf5Reader(const std::string& path) : Hdf5Reader(path, Probed::kNo) {}
 
@@ -242,7 +264,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
     require(std::ifstream(path).is_open(), path + ": cannot be read");
     require(H5Fis_hdf5(path.c_str()) > 0,
             path + ": is not a results file of gurney (no HDF5 file)");
-    hdf5::check_seal(path);
+    if (!hdf5::check_seal(path)) note_without_checksum(path);
     hdf5::probe(path, [&] { Hdf5Reader(path, Probed::kYes).read_all(); });
   }
   file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path);

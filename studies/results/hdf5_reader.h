@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,5 +66,9 @@ class Hdf5Reader {
   std::int64_t file_;
   std::vector<Hdf5Dataset> datasets_;
 };
+
+/// Files that this process has read and whose bytes could not be verified: their checksum was cut
+/// off, as by another program that wrote into them.
+std::set<std::string> files_without_checksum();
 
 }  // namespace gurney::study

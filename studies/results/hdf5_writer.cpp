@@ -71,8 +71,8 @@ void Hdf5Writer::require_memory(std::size_t bytes) {
 
 void Hdf5Writer::finish() {
   require_memory();
-  checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "finish a file");
-  checked(H5Fclose(std::exchange(file_, H5I_INVALID_HID)), "finish a file");
+  checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "finish " + path_);
+  checked(H5Fclose(std::exchange(file_, H5I_INVALID_HID)), "finish " + path_);
   const std::string seal = hdf5::seal_of(path_);
   std::ofstream stream(path_, std::ios::binary | std::ios::app);
   stream << seal;
@@ -220,7 +220,7 @@ void Hdf5Writer::add_growing(const Hdf5Spec& spec, Hdf5Type type, std::size_t te
 
 void Hdf5Writer::append(const std::string& path, std::int64_t type, const void* values,
                         std::size_t count) {
-  const std::string what = "append to dataset " + path;
+  const std::string what = "append to dataset " + path + (path_.empty() ? "" : " of " + path_);
   if (count == 0) return;
   require_memory(count * sizeof(double));
   const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), what);

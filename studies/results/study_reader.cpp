@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/base/error.h"
+#include "engine/response/response.h"
 #include "studies/results/columns.h"
 
 namespace gurney::study {
@@ -61,7 +63,10 @@ void StudyReader::check_indices() const {
     const auto found = rows_.find(table);
     return found == rows_.end() ? kMaxDraws : static_cast<double>(found->second);
   };
-  for (const auto& [table, length] : rows_) check(table + "/run", 0, rows("runs"));
+  for (const auto& [table, length] : rows_) {
+    check(table + "/run", 0, rows("runs"));
+    check_order(table);
+  }
   for (const char* table : {"runs", "drawn"}) {
     check(table + std::string("/configuration"), 0, rows("configurations"));
     check(table + std::string("/draw"), -1, kMaxDraws);
@@ -76,6 +81,41 @@ void StudyReader::check_indices() const {
       require(std::isfinite(value), fmt::format("{}: /{} must be finite", path_, column));
   }
   check_record_sets();
+  check_items();
+}
+
+/// rows_of_runs() needs the rows of a run to follow each other.
+void StudyReader::check_order(const std::string& table) const {
+  const std::string column = table + "/run";
+  if (!columns_.contains(column)) return;
+  const std::vector<double> run = numbers(column);
+  const auto fall = std::ranges::adjacent_find(run, std::greater<>());
+  require(fall == run.end(),
+          fmt::format("{}: /{}[{}] = {}: must be at least that of the row before, {}", path_,
+                      column, fall - run.begin() + 1, fall == run.end() ? 0 : fall[1],
+                      fall == run.end() ? 0 : *fall));
+}
+
+/// A run that did not fail has a row for each item, as all others of its configuration.
+void StudyReader::check_items() const {
+  for (const char* column : {"items/run", "runs/configuration", "runs/outcome"})
+    if (!columns_.contains(column)) return;
+  const std::vector<double> configuration = numbers("runs/configuration");
+  const std::vector<std::string> outcome = strings("runs/outcome");
+  const auto rows = rows_of_runs("items");
+  std::map<double, std::size_t> first;  // run of a configuration
+  for (std::size_t run = 0; run < runs_; ++run) {
+    const auto count = [&](std::size_t of) { return rows[of].second - rows[of].first; };
+    if (is_failure(outcome[run])) {
+      require(count(run) == 0,
+              fmt::format("{}: run {} failed and has {} rows in /items", path_, run, count(run)));
+      continue;
+    }
+    const std::size_t other = first.try_emplace(configuration[run], run).first->second;
+    require(count(run) == count(other) && count(run) > 0,
+            fmt::format("{}: run {} has {} rows in /items, run {} of the same configuration {}",
+                        path_, run, count(run), other, count(other)));
+  }
 }
 
 void StudyReader::check_record_sets() const {

@@ -50,6 +50,8 @@ class StudyReader {
   void require_column(const std::string& column) const;
   void check_demand(const std::string& column, const std::vector<double>& values) const;
   void check_indices() const;
+  void check_order(const std::string& table) const;
+  void check_items() const;
   void check_record_sets() const;
 
   std::map<std::string, std::uint64_t> rows_;  ///< of each table

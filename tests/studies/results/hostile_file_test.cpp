@@ -210,6 +210,7 @@ TEST(HostileFile, EveryFlippedBitOfASealedFileIsNoticed) {
   const TempFolder folder;
   const std::string whole = results();
   ASSERT_EQ(read_all(saved(folder, whole)), "(no error)");
+  EXPECT_FALSE(files_without_checksum().contains(folder.file("a.h5")));
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i) {
     std::string bytes = whole;
@@ -225,6 +226,7 @@ TEST(HostileFile, FlippedBytesOfAnUnsealedFileNeverCrash) {
   const std::string whole = results();
   const std::string bare = whole.substr(0, whole.rfind("\ngurney sha256"));
   ASSERT_EQ(read_all(saved(folder, bare)), "(no error)");
+  EXPECT_TRUE(files_without_checksum().contains(folder.file("a.h5")));
   std::mt19937 random(2);
   for (int i = 0; i < 80; ++i) {
     std::string bytes = bare;

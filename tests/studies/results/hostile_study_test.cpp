@@ -98,5 +98,25 @@ TEST(HostileStudy, ColumnsAreAsLongAsTheirTable) {
       "a.h5: dataset /runs/b must be a column as long as its table");
 }
 
+// A row that stands under another run: one has none then, another two.
+TEST(HostileStudy, EachRunHasTheRowsOfItsItems) {
+  const auto with_outcomes = [](const char* third) {
+    return [=](Hdf5Writer& file) {
+      file.add_growing({"/runs/outcome", "1", "outcome", {"/runs/row"}}, Hdf5Type::kText, 8);
+      file.append("/runs/outcome", std::vector<std::string>{"rested", "rested", third});
+    };
+  };
+  const auto nothing = [](Tables&) {};
+  EXPECT_EQ(error_of(nothing, with_outcomes("rested")), "(no error)");
+  EXPECT_EQ(error_of([](Tables& t) { t.items["run"][2] = 1; }, with_outcomes("rested")),
+            "a.h5: run 2 has 0 rows in /items, run 1 of the same configuration 2");
+  EXPECT_EQ(error_of(nothing, with_outcomes("diverged")),
+            "a.h5: run 2 failed and has 1 rows in /items");
+  EXPECT_EQ(error_of([](Tables& t) {
+              t.items["run"] = {0, 2, 1};
+            }),
+            "a.h5: /items/run[2] = 1: must be at least that of the row before, 2");
+}
+
 }  // namespace
 }  // namespace gurney::study

@@ -4,9 +4,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
+#include <vector>
 
 #include "engine/base/input_file.h"
+#include "studies/results/hdf5_writer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -129,6 +132,22 @@ TEST(OutputFiles, LeavesNothingWhenTheDiskIsFull) {
   }
   EXPECT_EQ(count_files(folder), 1u);
   EXPECT_EQ(contents_of(folder.file("b")), "old");
+}
+
+TEST(Hdf5Writer, NamesItsFileWhereTheDiskIsFull) {
+  const TempFolder folder;
+  const FileSizeLimit limit(10000);
+  const std::string path = folder.file("results.h5");
+  Hdf5Writer file(path);
+  std::vector<double> values(100000);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(static_cast<double>(i));
+  EXPECT_ERROR(
+      {
+        file.add_growing({"/x", "1", "values", {}}, Hdf5Type::kFloat64);
+        file.append("/x", values);
+        file.finish();
+      },
+      path);
 }
 
 TEST(OutputFiles, NeitherFollowsALinkNorTouchesThePartsOfOthers) {

@@ -96,6 +96,15 @@ for name in "gurney_$(cat process).h5" "gurney_$(cat process)" run.h5; do
 done
 [ "$(ls shared | wc -l)" -eq 3 ] || complain "left in TMPDIR: $(ls shared)"
 
+# A file whose checksum is cut off, or no longer at its end.
+printf '\n' | cat study.h5 - > longer.h5
+head -c -80 study.h5 > cut.h5
+for file in longer.h5 cut.h5; do
+  expect 0 "$file: caution: no checksum at its end: cut off, or changed by another program" "$gurney" show "$file"
+done
+"$gurney" show study.h5 > stdout 2> stderr
+[ -s stderr ] && complain "a caution on a file as it was written"
+
 if /usr/bin/python3 -c 'import h5py' 2> /dev/null; then
   # crafted NAME: study.h5, changed
   crafted() { cp study.h5 "$1" && /usr/bin/python3 - "$1" > stdout 2> stderr || complain "no $1"; }
