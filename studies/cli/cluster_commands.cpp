@@ -266,7 +266,9 @@ std::string state_of(const ShardStatus& shard) {
   if (!shard.started) return "not started";
   if (shard.other_study) return "of another study: not counted, and refused by merge";
   if (shard.done == shard.tasks) return "finished";
-  return shard.process.empty() ? "stopped" : "running: " + shard.process;
+  if (!shard.process.empty()) return "running: " + shard.process;
+  if (shard.stage == 0 || shard.shard.count == 1) return "stopped";
+  return fmt::format("stage {} of {} finished, goes on with --resume", shard.stage, shard.stages);
 }
 
 /// Time that a shard still takes [s]; none: unknown, or it does not run.
@@ -299,20 +301,15 @@ findings::Table table_of(const std::vector<ShardStatus>& shards) {
 }
 
 struct Total {
-  std::size_t tasks = 0, done = 0, runs = 0, failed = 0, finished = 0, running = 0, damaged = 0,
-              foreign = 0;
+  std::size_t finished = 0, running = 0, damaged = 0, foreign = 0;
   double rate = 0;                  ///< of those that run
   std::optional<double> to_go = 0;  ///< the longest; none: of one it is unknown, or it does not run
   double running_to_go = 0;         ///< the longest of those that run
 };
 
-Total total_of(const std::vector<ShardStatus>& shards) {
+Total total_of(const study::StudyStatus& study) {
   Total all;
-  for (const ShardStatus& s : shards) {
-    all.tasks += s.tasks;
-    all.done += s.done;
-    all.runs += s.counts.runs;
-    all.failed += s.counts.failed;
+  for (const ShardStatus& s : study.shards) {
     all.damaged += s.damaged;
     all.foreign += s.foreign;
     all.finished += s.done == s.tasks;
@@ -323,6 +320,7 @@ Total total_of(const std::vector<ShardStatus>& shards) {
     all.rate += s.runs_per_second;
     all.running_to_go = std::max(all.running_to_go, time.value_or(0));
   }
+  if (study.done < study.tasks && all.to_go == 0) all.to_go.reset();  // a shard is not there
   return all;
 }
 
@@ -354,20 +352,26 @@ findings::Table table_of(const std::vector<std::pair<std::string, RecordTime>>& 
 }
 
 int status_command(const StatusOptions& options) {
-  const std::vector<ShardStatus> shards = study::shard_status(options.folder);
-  const Total all = total_of(shards);
+  const study::StudyStatus study = study::study_status(options.folder);
+  const std::vector<ShardStatus>& shards = study.shards;
+  const Total all = total_of(study);
   findings::Section known;
   known.add(table_of(shards));
-  known.json("analysis_cases", all.tasks).json("finished", all.done).json("runs", all.runs);
-  known.json("failed", all.failed).json("damaged_parts", all.damaged);
+  known.json("analysis_cases", study.tasks).json("finished", study.done);
+  known.json("runs", study.counts.runs)
+      .json("failed", study.counts.failed)
+      .json("damaged_parts", all.damaged);
   known.json("foreign_analysis_cases", all.foreign).json("runs_per_second", all.rate);
   known.json("seconds_to_go", all.to_go ? findings::Value(*all.to_go) : findings::Value());
   known.say(fmt::format(
       "{} of {} analysis cases, {} runs, {} failed; {} of {} shards finished, {} "
       "running{}{}",
-      all.done, all.tasks, all.runs, all.failed, all.finished, shards.size(), all.running,
-      all.rate > 0 ? fmt::format(", {:.1f} runs/s", all.rate) : "",
+      study.done, study.tasks, study.counts.runs, study.counts.failed, all.finished, shards.size(),
+      all.running, all.rate > 0 ? fmt::format(", {:.1f} runs/s", all.rate) : "",
       all.running_to_go > 0 ? fmt::format(", {} to go", duration_text(all.running_to_go)) : ""));
+  if (study.done < study.tasks && all.finished == shards.size())
+    known.say(fmt::format("{} analysis cases are in no shard; these are of several counts",
+                          study.tasks - study.done));
   if (all.damaged > 0)
     known.say(fmt::format("{} damaged part{}, whose runs will be repeated", all.damaged,
                           all.damaged == 1 ? "" : "s"));

@@ -59,7 +59,7 @@ std::string page_of(const page::PageRequest& options, const study::FinishedCases
 
 /// Whether a process works on the study, or on one of its shards.
 bool is_running(const std::string& folder) {
-  return std::ranges::any_of(study::shard_status(folder),
+  return std::ranges::any_of(study::study_status(folder).shards,
                              [](const study::ShardStatus& each) { return !each.process.empty(); });
 }
 

@@ -148,12 +148,12 @@ std::string resume_hint(const RunOptions& options, const Paths& paths,
     return fmt::format("{}: the finished runs are lost with it; start again", paths.parts.string());
   return fmt::format(
       "{} of {} analysis cases are finished and kept in {}\ncontinue with: gurney run {} -o {} "
-      "--resume{}{}{}{}",
+      "--resume{}{}{}{}{}",
       kept, tasks, paths.parts.string(), shell_word(options.job),
       shell_word(paths.results.string()), options.overwrite ? " --overwrite" : "",
       options.shard.empty() ? "" : " --shard " + shell_word(options.shard),
       options.threads > 0 ? fmt::format(" -j {}", options.threads) : "",
-      options.json ? " --json" : "");
+      options.json ? " --json" : "", options.no_figure ? " --no-figure" : "");
 }
 
 study::PartFolder::Start start_of(const RunOptions& options) {
@@ -260,7 +260,8 @@ void add_run(Commands& commands) {
         add("--resume", options.resume, "Continue an interrupted study");
         add("--shard I/N", options.shard,
             "Run one share of a study: I/N, or auto to take it from Slurm or Open MPI; see "
-            "merge");
+            "merge")
+            ->check(CLI::Validator(study::shard_problem, ""));
         add.threads(options.threads,
                     "Threads for a study (default: all hardware threads); a single run takes one");
       });

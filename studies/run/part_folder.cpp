@@ -330,7 +330,7 @@ void PartFolder::take_over(std::uint32_t part) {
   for (const PartEntry& entry : content.entries) place(part, entry);
   if (content.damage.empty()) return;
   fs::rename(path, fs::path(path).replace_extension(".damaged"));
-  warnings_.push_back(fmt::format("{}: is damaged ({} bytes, {}): its runs are repeated",
+  warnings_.push_back(fmt::format("{}: is damaged ({} bytes, {}): its runs are missing",
                                   path.string(), bytes.size(), content.damage));
 }
 

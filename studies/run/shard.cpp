@@ -83,12 +83,15 @@ std::size_t Shard::tasks_of(std::size_t tasks) const {
 
 std::string Shard::folder() const { return fmt::format("{}-of-{}", number, count); }
 
+std::string shard_problem(const std::string& text) {
+  if (text == "auto" || split(text, "/")) return {};
+  return fmt::format("{} must be I/N with 1 <= I <= N <= {}, or auto", text, kMaxShards);
+}
+
 Shard shard_from(const std::string& text, const Environment& environment) {
-  if (text == "auto") return from(environment);
-  const auto shard = split(text, "/");
-  require(shard.has_value(),
-          fmt::format("--shard {}: must be I/N with 1 <= I <= N <= {}, or auto", text, kMaxShards));
-  return *shard;
+  const std::string problem = shard_problem(text);
+  require(problem.empty(), "--shard: " + problem);
+  return text == "auto" ? from(environment) : *split(text, "/");
 }
 
 std::optional<Shard> shard_of_folder(const std::string& name) { return split(name, "-of-"); }

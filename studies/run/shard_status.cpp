@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
@@ -35,13 +36,43 @@ void add_to_record(RecordTime& record, const TaskResult& result) {
   record.seconds += result.cost.cpu_seconds;
 }
 
-/// @param identity  of the study whose shards are counted
-ShardStatus status_of(const fs::path& folder, const Shard& shard, const std::string& identity) {
-  const std::size_t tasks = tasks_in(identity);
-  const PartFormat format(identity, tasks);
+/// Shards of one study, each added by its folder.
+class Counter {
+ public:
+  explicit Counter(std::string identity)
+      : identity_(std::move(identity)), stages_(stages_in(identity_)), done_(tasks_in(identity_)) {
+    study_.tasks = done_.size();
+  }
+
+  void add(const fs::path& folder, const Shard& shard) {
+    study_.shards.push_back(status_of(folder, shard));
+  }
+  void add_not_started(const Shard& shard) {
+    study_.shards.push_back({.shard = shard, .tasks = shard.tasks_of(study_.tasks)});
+  }
+  StudyStatus& study() { return study_; }
+
+ private:
+  ShardStatus status_of(const fs::path& folder, const Shard& shard);
+  void add(const TaskResult& result) {
+    if (done_.at(result.task)) return;
+    done_[result.task] = true;
+    ++study_.done;
+    study_.counts.add(result);
+  }
+
+  std::string identity_;
+  std::size_t stages_;
+  std::vector<bool> done_;  ///< by task
+  StudyStatus study_;
+};
+
+ShardStatus Counter::status_of(const fs::path& folder, const Shard& shard) {
+  const std::size_t tasks = study_.tasks;
+  const PartFormat format(identity_, tasks);
   ShardStatus status{.shard = shard, .tasks = shard.tasks_of(tasks), .started = true};
   status.process = working_process(folder);
-  status.other_study = IdentityFile(folder).identity() != identity;
+  status.other_study = IdentityFile(folder).identity() != identity_;
   if (status.other_study) return status;
   std::set<std::size_t> done;
   std::map<std::uint64_t, Attempt> attempts;
@@ -57,11 +88,17 @@ ShardStatus status_of(const fs::path& folder, const Shard& shard, const std::str
       const TaskResult result =
           task_from_bytes(std::string_view(bytes).substr(entry.offset, entry.size));
       status.counts.add(result);
+      add(result);
       add_to_record(status.records[result.cost.record], result);
       attempts[result.cost.attempt].add(result);
     }
   }
   status.done = done.size();
+  status.stages = stages_;
+  for (std::size_t stage = 1; stage < stages_ && !done.empty(); ++stage) {
+    const std::size_t end = stage * tasks / stages_;
+    if (*done.rbegin() < end && done.size() == shard.tasks_of(end)) status.stage = stage;
+  }
   if (attempts.empty()) return status;
   const Attempt& last = attempts.rbegin()->second;
   if (!(last.seconds > 0)) return status;
@@ -81,22 +118,25 @@ std::string identity_of_most(const std::vector<std::pair<Shard, fs::path>>& shar
 
 }  // namespace
 
-std::vector<ShardStatus> shard_status(const fs::path& folder) {
-  if (is_there(folder / "study")) return {status_of(folder, {}, IdentityFile(folder).identity())};
+StudyStatus study_status(const fs::path& folder) {
+  if (is_there(folder / "study")) {
+    Counter alone(IdentityFile(folder).identity());
+    alone.add(folder, {});
+    return alone.study();
+  }
   const auto found = shards_in(folder);
-  const std::string identity = identity_of_most(found);
-  std::vector<ShardStatus> all;
-  for (const auto& [shard, path] : found) all.push_back(status_of(path, shard, identity));
-  if (found.front().first.count != found.back().first.count) return all;
+  Counter counter(identity_of_most(found));
+  std::vector<ShardStatus>& all = counter.study().shards;
+  for (const auto& [shard, path] : found) counter.add(path, shard);
+  if (found.front().first.count != found.back().first.count) return counter.study();
   const std::size_t count = found.front().first.count;
-  const std::size_t tasks = tasks_in(identity);
   for (std::size_t number = 1; number <= count; ++number) {
     const Shard shard{number, count};
     if (std::ranges::find(all, shard, &ShardStatus::shard) == all.end())
-      all.push_back({.shard = shard, .tasks = shard.tasks_of(tasks)});
+      counter.add_not_started(shard);
   }
   std::ranges::sort(all, {}, [](const ShardStatus& each) { return each.shard.number; });
-  return all;
+  return counter.study();
 }
 
 namespace {

@@ -26,6 +26,8 @@ struct ShardStatus {
   RunCounts counts = {};
   std::size_t damaged = 0;      ///< part files whose runs will be repeated
   std::size_t foreign = 0;      ///< analysis cases in its folder that are not its own
+  std::size_t stages = 1;       ///< of the study
+  std::size_t stage = 0;        ///< that it ended with and the next waits for; 0: within one
   bool other_study = false;     ///< most shards beside it are of another study: nothing is counted
   bool started = false;         ///< it has a folder
   std::string process = {};     ///< that works on it: "process 12 on node3"; empty: none
@@ -34,10 +36,17 @@ struct ShardStatus {
   std::map<std::string, RecordTime> records = {};  ///< by name; empty: the floor is at rest
 };
 
+/// All shards of a study. Those of several counts have analysis cases in common.
+struct StudyStatus {
+  std::vector<ShardStatus> shards = {};
+  std::size_t tasks = 0, done = 0;  ///< analysis cases of the study, each counted once
+  RunCounts counts = {};            ///< of these
+};
+
 /// Reads a folder FILE.h5.shards with those that have not started, or of one FILE.h5.parts as shard
 /// 1 of 1. Reads the parts alone and changes nothing.
 /// @throws Error for a folder that is neither
-std::vector<ShardStatus> shard_status(const std::filesystem::path& folder);
+StudyStatus study_status(const std::filesystem::path& folder);
 
 /// The analysis cases that a study has finished so far, read beside the process that works on it:
 /// of a folder FILE.h5.parts, or of all shards of FILE.h5.shards. Changes nothing.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -127,16 +128,30 @@ std::string identity_of(const Batch& batch) {
       batch.job.text());
 }
 
-std::size_t tasks_in(const std::string& identity) {
-  const Entries entries = entries_of(identity);
-  const auto found = entries.find("analysis_cases");
+namespace {
+
+/// The whole number of an entry; none: it has none.
+std::optional<std::size_t> number_in(const Entries& entries, const std::string& key) {
+  const auto found = entries.find(key);
   const std::string text = found == entries.end() ? "" : found->second;
-  std::size_t tasks = 0;
+  std::size_t number = 0;
   const auto end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, tasks);
-  require(!text.empty() && read.ec == std::errc() && read.ptr == end,
-          "the file 'study' states no number of analysis cases");
-  return tasks;
+  const auto read = std::from_chars(text.data(), end, number);
+  if (text.empty() || read.ec != std::errc() || read.ptr != end) return {};
+  return number;
+}
+
+}  // namespace
+
+std::size_t tasks_in(const std::string& identity) {
+  const auto tasks = number_in(entries_of(identity), "analysis_cases");
+  require(tasks.has_value(), "the file 'study' states no number of analysis cases");
+  return *tasks;
+}
+
+std::size_t stages_in(const std::string& identity) {
+  return 1 + number_in(keys_of_job(job_text_in(identity)), "study.intensity.adaptive.stages")
+                 .value_or(0);
 }
 
 std::string job_difference(const std::string& theirs, const std::string& ours) {

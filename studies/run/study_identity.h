@@ -18,6 +18,9 @@ std::string identity_of(const Batch& batch);
 /// @throws Error where it has none
 std::size_t tasks_in(const std::string& identity);
 
+/// The number of stages of the study of identity_of(), 1 unless its stripes are adaptive.
+std::size_t stages_in(const std::string& identity);
+
 /// From the parts of inputs_of(), such as those that results keep.
 /// @param lines  `key = value`
 std::string inputs_from(const std::string& lines, const std::string& job_text);

@@ -172,7 +172,7 @@ TEST_F(Parts, ThatAreDamagedAreSetAsideAndReported) {
     EXPECT_EQ(parts.warnings(),
               std::vector<std::string>{
                   part("00000001.part") + ": is damaged (" + std::to_string(bytes.size()) +
-                  " bytes, its checksum does not match): its runs are repeated"});
+                  " bytes, its checksum does not match): its runs are missing"});
   }
 }
 

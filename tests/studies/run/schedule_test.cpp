@@ -69,7 +69,7 @@ TEST(Schedule, KeepsTwoThreadsBusyToTheEnd) {
   std::rotate(times.begin(), std::ranges::max_element(times), times.end());
   std::rotate(times.begin(), times.begin() + 1, times.end());
   EXPECT_LT(speed_up_of_two(times), 1.95) << "the longest case at the end, and yet as fast";
-  const std::vector<ShardStatus> status = shard_status(temp.file("parts"));
+  const std::vector<ShardStatus> status = study_status(temp.file("parts")).shards;
   ASSERT_EQ(status.size(), 1u);
   ASSERT_EQ(status[0].records.size(), 1u);
   const RecordTime& all = status[0].records.begin()->second;

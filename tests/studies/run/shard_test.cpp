@@ -56,7 +56,7 @@ TEST(Shard, IsReadFromTextAndFolders) {
   for (const char* name : {"3-of-2", "0-of-2", "a-of-2", "3-of-8.log", "study", "3-of-8-of-9"})
     EXPECT_FALSE(shard_of_folder(name)) << name;
   EXPECT_EQ(error_text([] { shard_of("9/8"); }),
-            "--shard 9/8: must be I/N with 1 <= I <= N <= 100000, or auto");
+            "--shard: 9/8 must be I/N with 1 <= I <= N <= 100000, or auto");
 }
 
 TEST(Shard, OfAnArrayGoesBeforeThatOfAStep) {

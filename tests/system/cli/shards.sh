@@ -59,7 +59,10 @@ grep -qx "  sbatch --array=2,3 job.sbatch" stderr || complain "does not say how 
 study 1 "a.h5.shards/1-of-3: contains runs of an interrupted study" job.toml -o a.h5 --shard 1/3
 study 0 "shard    1 of 3" job.toml -o a.h5 --shard 1/3 --resume
 study 0 "shard    1 of 2" job.toml -o a.h5 --shard 1/2
-expect 1 "such as 1, 2, 6, 10, " "$gurney" merge a.h5.shards/
+expect 1 "8 of 24 analysis cases are missing, such as 1, 2, 6, 10, " "$gurney" merge a.h5.shards/
+expect 0 "16 of 24 analysis cases, 32 runs, 0 failed; 2 of 2 shards finished" "$gurney" status a.h5.shards
+grep -qx "8 analysis cases are in no shard; these are of several counts" stdout || complain "does not say that cases are missing"
+expect 0 '"seconds_to_go": null' "$gurney" status a.h5.shards --json
 study 0 "shard    2 of 2" job.toml -o a.h5 --shard 2/2
 cp -r a.h5.shards others.shards
 
@@ -119,13 +122,13 @@ rm a.h5
 
 # Interrupted: how to go on names the shard.
 begin_shard() {
-  "$gurney" run job.toml -o a.h5 --shard 1/2 -j 1 > out 2> err &
+  "$gurney" run job.toml -o a.h5 --shard 1/2 -j 1 --no-figure > out 2> err &
   process=$!
   wait_for a.h5.shards/1-of-2/crashes
   kill -TERM "$process"
 }
 begin_shard
-ends 143 "continue with: gurney run job.toml -o a.h5 --resume --shard 1/2 -j 1"
+ends 143 "continue with: gurney run job.toml -o a.h5 --resume --shard 1/2 -j 1 --no-figure"
 rm -rf a.h5.shards
 
 # Progress, of shards that run, have finished, have stopped and have not started.
@@ -253,7 +256,7 @@ auto 0 "shard    2 of 12" SLURM_PROCID=1 SLURM_NTASKS=12
 auto 0 "shard    12 of 12" OMPI_COMM_WORLD_RANK=11 OMPI_COMM_WORLD_SIZE=12
 auto 1 "--shard auto: SLURM_NTASKS = 'x' must be a whole number" SLURM_PROCID=1 SLURM_NTASKS=x
 for wrong in 0/3 4/3 1/0 a/3 1-3 3 /3 1/ 1/200000; do
-  study 1 "--shard $wrong: must be I/N with 1 <= I <= N <= 100000, or auto" job.toml -o b.h5 --shard "$wrong"
+  study 2 "--shard: $wrong must be I/N with 1 <= I <= N <= 100000, or auto" job.toml -o b.h5 --shard "$wrong"
 done
 gone b.h5.shards
 
@@ -268,6 +271,7 @@ unit = "m"
 TOML
 study 0 "next:" staged.toml -o staged_whole.h5
 study 0 "stage    1 is finished here and lacks" staged.toml -o s.h5 --shard 1/2
+expect 0 "stage 1 of 3 finished, goes on with --resume" "$gurney" status s.h5.shards
 study 0 "stage    1 is finished here and lacks" staged.toml -o s.h5 --shard 1/2 --resume
 expect 1 "analysis cases are missing" "$gurney" merge s.h5.shards
 study 0 "stage    2 is finished here and lacks" staged.toml -o s.h5 --shard 2/2
