@@ -116,21 +116,31 @@ std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& uni
   return all;
 }
 
-std::string median_text(statistics::FragilityStatus status, const statistics::MedianBounds& median,
-                        const ReportUnit& unit) {
-  if (!median.known()) return {};
-  const char* const about = status == statistics::FragilityStatus::kQuasiSeparated ? "about " : "";
-  if (median.low == median.high) return fmt::format("median about {}", in(unit, median.low));
-  if (median.low == 0) return fmt::format("median below {}{}", about, in(unit, median.high));
-  if (std::isinf(median.high)) return fmt::format("median above {}{}", about, in(unit, median.low));
-  return fmt::format("median between {:.3g} and {}", median.low / unit.in_si,
-                     in(unit, median.high));
+std::string outcomes_text(statistics::FragilityStatus status, const statistics::Interval& change,
+                          const ReportUnit& unit) {
+  using enum statistics::FragilityStatus;
+  const std::string status_text = statistics::text(status);
+  switch (status) {
+    case kNoneExceeds:
+      return fmt::format("{} up to {}", status_text, in(unit, change.low));
+    case kAllExceed:
+      return fmt::format("{} from {} on", status_text, in(unit, change.high));
+    case kSeparated:
+      return fmt::format("{}: outcomes change between {:.3g} and {}", status_text,
+                         change.low / unit.in_si, in(unit, change.high));
+    case kQuasiSeparated:
+      return fmt::format("{}: outcomes change at {}", status_text, in(unit, change.low));
+    default:
+      return status_text;
+  }
 }
 
-std::string no_curve_text(statistics::FragilityStatus status,
-                          const statistics::MedianBounds& median, const ReportUnit& unit) {
-  const std::string known = median_text(status, median, unit);
-  return statistics::text(status) + (known.empty() ? "" : ": " + known);
+std::string median_text(const statistics::MedianBounds& median, const ReportUnit& unit) {
+  if (!median.known()) return {};
+  if (median.low == 0) return "median below " + in(unit, median.high);
+  if (std::isinf(median.high)) return "median above " + in(unit, median.low);
+  return fmt::format("median between {:.3g} and {}", median.low / unit.in_si,
+                     in(unit, median.high));
 }
 
 }  // namespace gurney::study

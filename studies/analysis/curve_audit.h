@@ -67,12 +67,12 @@ std::string interval_text(const statistics::Interval& interval, double in_si, in
 /// A sentence for each reason not to use the curve as it stands, or with care.
 std::vector<std::string> cautions(const CurveAudit& audit, const ReportUnit& unit);
 
-/// `no run exceeds: median above 1.2 g`
-std::string no_curve_text(statistics::FragilityStatus status,
-                          const statistics::MedianBounds& median, const ReportUnit& unit);
+/// `no run exceeds up to 1.2 g`: where the outcomes of runs without a curve change.
+/// @param change  highest im without to lowest with exceedance; an end that is not: 0, infinity
+std::string outcomes_text(statistics::FragilityStatus status, const statistics::Interval& change,
+                          const ReportUnit& unit);
 
-/// `median above about 1.2 g`; empty where nothing is known of it.
-std::string median_text(statistics::FragilityStatus status, const statistics::MedianBounds& median,
-                        const ReportUnit& unit);
+/// `median above 1.2 g`; empty where nothing is known of it.
+std::string median_text(const statistics::MedianBounds& median, const ReportUnit& unit);
 
 }  // namespace gurney::study

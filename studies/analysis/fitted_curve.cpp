@@ -67,7 +67,11 @@ void add_cloud(const StudyData& data, std::size_t state_index, std::size_t confi
 }  // namespace
 
 std::string no_curve_text(const FittedCurve& fitted, const ReportUnit& unit) {
-  if (!fitted.by_cloud()) return no_curve_text(fitted.status(), fitted.median(), unit);
+  if (!fitted.by_cloud()) {
+    const std::string known = median_text(fitted.median, unit);
+    return outcomes_text(fitted.status(), fitted.change(), unit) +
+           (known.empty() ? "" : ": " + known);
+  }
   if (!fitted.cloud) return "a cloud needs one demand above a limit";
   if (fitted.cloud->status != statistics::CloudStatus::kFitted) return text(fitted.cloud->status);
   return "the demand increases hardly or not with intensity, or its limit is far beyond the runs";
@@ -106,6 +110,8 @@ FittedCurve curve_of_event(const StudyData& data, std::size_t configuration,
   } else {
     fitted.audit.chosen_by_response = data.is_ida();
   }
+  if (!fitted.curve())
+    fitted.median = statistics::median_bounds(statistics::StripeTable(fitted.observations));
   return fitted;
 }
 

@@ -30,6 +30,7 @@ struct FittedCurve {
   statistics::FragilityFit fit;                       ///< of the outcomes of runs
   std::vector<statistics::Capacity> brackets;         ///< of an IDA: one for each record; else none
   std::optional<statistics::CapacityFit> capacities;  ///< of the brackets
+  statistics::MedianBounds median;  ///< where the runs give no curve: see median_bounds()
   CurveAudit audit;
 
   std::vector<statistics::CloudPoint> demands;  ///< where the state is a demand above a limit
@@ -47,8 +48,10 @@ struct FittedCurve {
   statistics::FragilityStatus status() const {
     return by_capacities() ? capacities->status : fit.status;
   }
-  const statistics::MedianBounds& median() const {
-    return by_capacities() ? capacities->median : fit.median;
+  /// Highest intensity without, lowest with exceedance; see the status.
+  statistics::Interval change() const {
+    return by_capacities() ? statistics::Interval{capacities->low, capacities->high}
+                           : statistics::Interval{fit.low, fit.high};
   }
 };
 

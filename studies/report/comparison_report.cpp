@@ -162,8 +162,8 @@ Table quantities(const ComparisonReport& report, Kind kind, const char* key, con
 std::string curve_text(const study::FittedCurve& of, const study::ReportUnit& unit) {
   if (const auto curve = of.curve())
     return fmt::format("{:.4g}, {:.3g}", curve->theta / unit.in_si, curve->beta);
-  const std::string known = study::median_text(of.status(), of.median(), unit);
-  return known.empty() ? text(of.status()) : known;
+  const std::string known = study::median_text(of.median, unit);
+  return known.empty() ? study::outcomes_text(of.status(), of.change(), unit) : known;
 }
 
 /// Cautions on the curves of one side; that of the scale factors once, since they are the same.
@@ -187,7 +187,7 @@ void add_curve(std::vector<findings::Cell>& row, const study::FittedCurve& side,
   row.insert(row.end(), {text(side.status()),
                          side.fit.runs,
                          side.fit.exceeded,
-                         {curve ? Value() : ends(side.median()), of},
+                         {curve ? Value() : ends(side.median), of},
                          {curve ? Value(curve->theta) : Value(), of},
                          curve ? Value(curve->beta) : Value(),
                          study::cautions(side.audit, unit),
@@ -273,6 +273,12 @@ findings::Section comparison_findings(const ComparisonReport& report) {
   all.add(curves(report));
   all.add(quantities(report, Kind::kMean, "means", "mean"));
   all.add(quantities(report, Kind::kMedian, "medians", "median"));
+  if (std::ranges::any_of(found.quantities, [](const study::ComparedQuantity& row) {
+        return std::isinf(row.interval.low);
+      }))
+    all.say(
+        "interval unknown: too few groups, or all of them differ alike (as where no run of either "
+        "side exceeds): without scatter nothing is known of its width");
   if (found.overturned > 0)
     all.say(
         fmt::format("{} of the paired runs overturned: their demands are those before overturning",

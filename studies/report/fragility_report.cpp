@@ -129,10 +129,9 @@ void add_fit(const study::FragilityResult& result, const study::ReportUnit& unit
   add_curve(result.curve(), unit.in_si, all);
   if (!result.curve()) {
     all.json("reason", study::no_curve_text(result, unit));
-    if (!result.by_cloud()) {
-      const auto median = result.median();
-      all.json("median_between", Numbers{median.low / unit.in_si, median.high / unit.in_si});
-    }
+    if (!result.by_cloud())
+      all.json("median_between",
+               Numbers{result.median.low / unit.in_si, result.median.high / unit.in_si});
     return;
   }
   const bool few = result.band.too_few;

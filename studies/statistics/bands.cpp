@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
@@ -165,6 +166,22 @@ std::vector<Interval> distribution_free_band(const StripeTable& table,
     band.push_back({lower.low, upper.high});
   }
   return band;
+}
+
+MedianBounds median_bounds(const StripeTable& table, double confidence) {
+  const auto band_at = [&](double im) {
+    return distribution_free_band(table, {im}, confidence).front();
+  };
+  MedianBounds bounds;
+  for (const Stripe& stripe : table.stripes()) {
+    if (!(band_at(stripe.im).high < 0.5)) break;
+    bounds.low = stripe.im;
+  }
+  for (const Stripe& stripe : std::views::reverse(table.stripes())) {
+    if (!(band_at(stripe.im).low > 0.5)) break;
+    bounds.high = stripe.im;
+  }
+  return bounds.low < bounds.high ? bounds : MedianBounds{};  // else the probability falls
 }
 
 namespace {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -74,6 +76,19 @@ Interval bounded(const Interval& interval, double low, double high);
 std::vector<Interval> distribution_free_band(const StripeTable& table,
                                              const std::vector<double>& im,
                                              double confidence = 0.95);
+
+/// Bounds of the median: it lies above `low`, if that is > 0, and below `high`, if that is finite.
+struct MedianBounds {
+  double low = 0, high = std::numeric_limits<double>::infinity();
+
+  bool known() const { return low > 0 || std::isfinite(high); }
+};
+
+/// Bounds that suppose nothing but a probability that does not fall with im: intensities of runs up
+/// to which the distribution-free band is below 1/2 at each, and from which on it is above. Each
+/// bound is wrong with a probability of (1 - confidence) / 2 at most, as a sequence of tests in a
+/// fixed order that ends with the first that does not reject (Maurer, Hothorn & Lehmacher 1995).
+MedianBounds median_bounds(const StripeTable& table, double confidence = 0.95);
 
 /// Clopper-Pearson interval of a probability from `successes` in `trials`.
 Interval proportion_interval(int successes, int trials, double confidence = 0.95);

@@ -25,26 +25,15 @@ FragilityStatus status_without_fit(double highest_low, double lowest_high) {
   return highest_low < lowest_high ? FragilityStatus::kSeparated : FragilityStatus::kQuasiSeparated;
 }
 
-/// Fit of brackets that all end or begin at `im`: capacities jump there.
-struct Step {
-  MedianBounds median;        ///< from the share below it, and the nearest ends on either side
-  double log_likelihood = 0;  ///< of a step there
-};
-
-Step step_at(double im, const std::vector<Capacity>& capacities) {
-  double all = 0, below = 0, nearest_low = 0, nearest_high = kInfinity;
+/// The ln likelihood of a step at `im`, where all brackets end or begin.
+double log_likelihood_of_step(double im, const std::vector<Capacity>& capacities) {
+  double all = 0, below = 0;
   for (const Capacity& each : capacities) {
     all += each.weight;
-    if (each.high <= im) {
-      below += each.weight;
-      nearest_low = std::max(nearest_low, each.low);
-    } else {
-      nearest_high = std::min(nearest_high, each.high);
-    }
+    below += each.high <= im ? each.weight : 0;
   }
   const auto share = [&](double of) { return of > 0 ? of * std::log(of / all) : 0; };
-  return {median_bounds(im, below / all, nearest_low, nearest_high),
-          share(below) + share(all - below)};
+  return share(below) + share(all - below);
 }
 
 }  // namespace
@@ -123,12 +112,8 @@ CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
     fit.status = status_without_fit(highest_low, lowest_high);
     fit.low = highest_low;
     fit.high = lowest_high;
-    fit.median = {highest_low, lowest_high};
-    if (fit.status == FragilityStatus::kQuasiSeparated) {
-      const Step step = step_at(highest_low, capacities);
-      fit.median = step.median;
-      fit.log_likelihood = step.log_likelihood;
-    }
+    if (fit.status == FragilityStatus::kQuasiSeparated)
+      fit.log_likelihood = log_likelihood_of_step(highest_low, capacities);
     return fit;
   }
   const auto n = static_cast<Eigen::Index>(values.size());

@@ -37,7 +37,6 @@ struct CapacityFit {
   FragilityStatus status = FragilityStatus::kNoRuns;
   std::optional<LognormalCurve> curve;  ///< kFitted only
   double low = 0, high = 0;             ///< separated: all capacities can lie in this interval
-  MedianBounds median;                  ///< without a curve: what is known of theta
   Eigen::Matrix2d covariance{{0, 0}, {0, 0}};  ///< of (ln theta, ln beta)
   double log_likelihood = 0;                   ///< its limit if separated
   int censored = 0;                            ///< records that never exceed

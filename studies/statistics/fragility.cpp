@@ -81,7 +81,7 @@ struct Extremes {
   }
 };
 
-/// Bounds from k successes in n at the one im of a quasi-separated fit.
+/// Likelihood of k successes in n at the one im of a quasi-separated fit.
 double best_log_likelihood_at(double im, const std::vector<Stripe>& stripes) {
   for (const Stripe& stripe : stripes) {
     if (stripe.im != im || stripe.exceeded == 0 || stripe.exceeded == stripe.runs) continue;
@@ -89,18 +89,6 @@ double best_log_likelihood_at(double im, const std::vector<Stripe>& stripes) {
            (stripe.runs - stripe.exceeded) * std::log1p(-stripe.fraction());
   }
   return 0;
-}
-
-MedianBounds bounds_of(const ProbitFit& fit, const std::vector<Stripe>& stripes) {
-  const bool known = fit.status == FragilityStatus::kAllExceed ||
-                     fit.status == FragilityStatus::kNoneExceeds ||
-                     fit.status == FragilityStatus::kSeparated;
-  if (known) return {fit.low, fit.high};
-  if (fit.status != FragilityStatus::kQuasiSeparated) return {};
-  const auto at = std::ranges::find(stripes, fit.low, &Stripe::im);
-  const double below = at == stripes.begin() ? 0 : std::prev(at)->im;
-  const double above = std::next(at) == stripes.end() ? kInfinity : std::next(at)->im;
-  return median_bounds(fit.low, at->fraction(), below, above);
 }
 
 constexpr double kRidge = 1e-9;
@@ -171,12 +159,6 @@ std::string text(FragilityStatus status) {
       return "exceedance increases hardly or not with intensity: no lognormal curve";
   }
   return {};
-}
-
-MedianBounds median_bounds(double im, double fraction, double next_below, double next_above) {
-  if (fraction < 0.5) return {im, next_above};
-  if (fraction > 0.5) return {next_below, im};
-  return {im, im};
 }
 
 double ProbitFit::score(double im) const { return line[0] * std::log(im) + line[1]; }
@@ -315,7 +297,6 @@ FragilityFit fit_fragility(const StripeTable& table) {
   fit.status = probit.status;
   fit.low = probit.low;
   fit.high = probit.high;
-  fit.median = bounds_of(probit, table.stripes());
   fit.log_likelihood = probit.log_likelihood;
   fit.covariance.setZero();
   fit.cluster_covariance.setZero();

@@ -64,8 +64,8 @@ class StripeTable {
 enum class FragilityStatus {
   kFitted,
   kNoRuns,
-  kAllExceed,       ///< theta lies somewhere below the lowest im
-  kNoneExceeds,     ///< theta lies somewhere above the highest im
+  kAllExceed,
+  kNoneExceeds,
   kSeparated,       ///< complete: all above an interval of im exceed, none below
   kQuasiSeparated,  ///< quasi-complete: the same, with both outcomes at one im only
   kNotIncreasing,   ///< no rise of the probability with im: no lognormal curve
@@ -73,19 +73,6 @@ enum class FragilityStatus {
 
 /// `no run exceeds` and the like, for a reader.
 std::string text(FragilityStatus status);
-
-/// Bounds of theta where there is no curve: it lies above `low`, if that is > 0, and below
-/// `high`, if that is finite; both at one im: about there.
-struct MedianBounds {
-  double low = 0, high = std::numeric_limits<double>::infinity();
-
-  bool known() const { return low > 0 || std::isfinite(high); }
-};
-
-/// Bounds after a quasi-complete separation at `im`, where `fraction` exceeds: the likelihood is
-/// highest for a step there, so theta lies beyond it on the side of the rarer outcome, as far as
-/// the next intensity on that side (0 or infinity if there is none).
-MedianBounds median_bounds(double im, double fraction, double next_below, double next_above);
 
 /// The maximum of the binomial likelihood of Phi(slope ln im + intercept).
 struct ProbitFit {
@@ -142,9 +129,9 @@ struct FragilityFit {
   FragilityStatus status = FragilityStatus::kNoRuns;
   std::optional<LognormalCurve> curve;  ///< kFitted only
 
-  /// Separated: theta lies in [low, high]. All exceed: low = 0. None exceeds: high = infinity.
+  /// Highest im without, lowest with exceedance, if separated. All exceed: low = 0. None exceeds:
+  /// high = infinity.
   double low = 0, high = 0;
-  MedianBounds median;  ///< without a curve; quasi-separated: not [low, high], which is the one im
 
   Eigen::Matrix2d covariance;  ///< of (ln theta, ln beta), runs independent; zero unless fitted
   Eigen::Matrix2d cluster_covariance;  ///< the same, groups independent; zero if there is one group

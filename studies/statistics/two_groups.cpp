@@ -130,7 +130,10 @@ PairedDifference paired_difference(const std::vector<Measured>& a, const std::ve
   result.mean_b = moments_of(values_b).mean;
   const Moments moments = moments_of(differences);
   result.difference = moments.mean;
-  if (result.pairs > 1) {
+  double size = 0;
+  for (const double value : values_a) size = std::max(size, std::abs(value));
+  for (const double value : values_b) size = std::max(size, std::abs(value));
+  if (result.pairs > 1 && std::sqrt(moments.variance) > kRounding * size) {
     const double reach = student_quantile((1 + confidence) / 2, result.pairs - 1) *
                          std::sqrt(moments.variance / result.pairs);
     result.interval = {moments.mean - reach, moments.mean + reach};

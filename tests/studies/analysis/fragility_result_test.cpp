@@ -217,14 +217,26 @@ TEST_F(FragilityResultTest, AQuasiCompleteSeparationHasNoMedian) {
   const FragilityResult result = fragility_of(study, {});
   const std::string report = render::text(report::fragility_findings(study, {result}));
   EXPECT_THAT(report, testing::HasSubstr("quasi-complete separation"));
-  EXPECT_THAT(report, testing::HasSubstr("median above about 1.2 g"));
+  EXPECT_THAT(report, testing::HasSubstr("median above 1.2 g"));
   EXPECT_THAT(report, testing::Not(testing::HasSubstr("theta at")));
   const auto json = nlohmann::json::parse(
       render::json(report::fragility_findings(study, {result})))["fragilities"][0];
   EXPECT_TRUE(json["curve"].is_null());
   EXPECT_THAT(json["reason"].get<std::string>(),
-              testing::HasSubstr("median above about 11.8 m/s2"));
+              testing::HasSubstr("outcomes change at 11.8 m/s2: median above 11.8 m/s2"));
   EXPECT_NEAR(json["median_between"][0].get<double>(), 1.2 * kG, 1e-9);
+  EXPECT_TRUE(json["median_between"][1].is_null());
+}
+
+TEST_F(FragilityResultTest, TwoRecordsThatNeverExceedBoundNoMedian) {
+  const StudyData study = data({{0, 0.4 * kG, 0.05}, {1, 0.4 * kG, 0.05}});
+  const FragilityResult result = fragility_of(study, {});
+  const std::string report = render::text(report::fragility_findings(study, {result}));
+  EXPECT_THAT(report, testing::HasSubstr("no run exceeds up to 0.4 g\n"));
+  EXPECT_THAT(report, testing::Not(testing::HasSubstr("median above")));
+  const auto json = nlohmann::json::parse(
+      render::json(report::fragility_findings(study, {result})))["fragilities"][0];
+  EXPECT_EQ(json["median_between"][0], 0);
   EXPECT_TRUE(json["median_between"][1].is_null());
 }
 
@@ -303,7 +315,7 @@ TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
   EXPECT_EQ(results[0].fit.status, statistics::FragilityStatus::kSeparated);
   EXPECT_FALSE(results[0].curve());
   const std::string report = render::text(report::fragility_findings(study, results));
-  EXPECT_THAT(report, testing::HasSubstr("median between 0.102 and 0.204 g"));
+  EXPECT_THAT(report, testing::HasSubstr("outcomes change between 0.102 and 0.204 g"));
   EXPECT_THAT(report, testing::HasSubstr("no run exceeds"));
   EXPECT_THAT(render::json(report::fragility_findings(study, results)),
               testing::HasSubstr("\"curve\": null"));

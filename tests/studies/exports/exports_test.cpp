@@ -66,7 +66,7 @@ TEST_F(Exports, RefuseMeasuresTheFormatHasNoNameFor) {
 TEST_F(Exports, SayWhyThereIsNoCurve) {
   EXPECT_ERROR(export_pelicun(*data_, {.limit = "hit"}, take()),
                "no fragility curve over PGA larger can be fitted; nothing was written\n"
-               "  false, 'hit': no run exceeds: median above ");
+               "  false, 'hit': no run exceeds up to ");
   EXPECT_TRUE(files_.empty());
   EXPECT_THAT(
       export_nrml(*data_, {.configuration = "true"}, take()),

@@ -224,6 +224,53 @@ TEST(ProportionInterval, IsThatOfClopperAndPearson) {
   EXPECT_EQ(proportion_interval(0, 0).high, 1);
 }
 
+/// Each of `records` at each of these intensities, the first `exceeded` of them over the limit.
+struct Level {
+  double im;
+  std::size_t records, exceeded;
+};
+
+MedianBounds median_of(const std::vector<Level>& levels) {
+  std::vector<Observation> seen;
+  for (const Level& level : levels)
+    for (std::size_t record = 0; record < level.records; ++record)
+      seen.push_back({level.im, record < level.exceeded, record});
+  return median_bounds(StripeTable(seen));
+}
+
+// 0 of 5 leave P up to 1 - 0.025^(1/5) = 0.522, 0 of 6 up to 0.459.
+TEST(MedianBounds, NeedSixRecordsWithoutAnExceedance) {
+  EXPECT_FALSE(median_of({{1, 5, 0}, {2, 5, 0}}).known());
+  EXPECT_FALSE(median_of({{1, 5, 5}, {2, 5, 5}}).known());
+  EXPECT_FALSE(median_of({{1, 5, 0}, {2, 5, 5}}).known());
+  EXPECT_EQ(median_of({{1, 6, 0}, {2, 6, 0}}).low, 2);
+  EXPECT_EQ(median_of({{1, 6, 6}, {2, 6, 6}}).high, 1);
+  const MedianBounds separated = median_of({{1, 6, 0}, {2, 6, 0}, {3, 6, 6}});
+  EXPECT_EQ(separated.low, 2);
+  EXPECT_EQ(separated.high, 3);
+}
+
+TEST(MedianBounds, EndWhereTooFewRecordsWereRun) {
+  // An IDA that went on with two of 14.
+  const MedianBounds ida = median_of({{0.5, 14, 0}, {1, 6, 0}, {1.5, 2, 0}});
+  EXPECT_EQ(ida.low, 1);
+  EXPECT_EQ(ida.high, std::numeric_limits<double>::infinity());
+  // 7 of 44: at most 0.30; 22 of 44 neither.
+  EXPECT_EQ(median_of({{0.8, 44, 0}, {1.2, 44, 7}}).low, 1.2);
+  EXPECT_EQ(median_of({{0.8, 44, 0}, {1.2, 44, 22}}).low, 0.8);
+}
+
+TEST(MedianBounds, AreNoneWhereTheProbabilityFalls) {
+  EXPECT_FALSE(median_of({{1, 20, 20}, {2, 20, 0}}).known());
+}
+
+// The record decides: 40 runs of one say no more than one.
+TEST(MedianBounds, CountRecordsAndNotRuns) {
+  std::vector<Observation> seen;
+  for (std::size_t run = 0; run < 40; ++run) seen.push_back({1, false, run % 4});
+  EXPECT_FALSE(median_bounds(StripeTable(seen)).known());
+}
+
 TEST(DistributionFreeBand, CoversAtLeastAsOftenAsItSays) {
   const SyntheticStudy study{.records = 10, .correlation = 1};
   std::vector<int> covered(kProbabilities.size());

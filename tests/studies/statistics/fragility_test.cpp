@@ -166,28 +166,6 @@ TEST(Fragility, SaysWhyThereIsNoCurve) {
   EXPECT_NE(text(kSeparated).find("beta cannot be estimated"), std::string::npos);
 }
 
-// Quasi-complete separation: the median lies beyond the one intensity, towards the next, on the
-// side that the rarer outcome leaves.
-TEST(Fragility, AQuasiCompleteSeparationBoundsTheMedianOnOneSide) {
-  const auto median = [](const std::vector<Stripe>& stripes) {
-    return fit_fragility(of_stripes(stripes)).median;
-  };
-  const MedianBounds last = median({{0.8, 44, 0}, {1.2, 44, 7}});
-  EXPECT_EQ(last.low, 1.2);
-  EXPECT_EQ(last.high, kInfinity);
-  const MedianBounds rare = median({{1, 5, 0}, {2, 5, 2}, {3, 5, 5}});
-  EXPECT_EQ(rare.low, 2);
-  EXPECT_EQ(rare.high, 3);
-  const MedianBounds often = median({{2, 5, 3}, {3, 5, 5}});
-  EXPECT_EQ(often.low, 0);
-  EXPECT_EQ(often.high, 2);
-  const MedianBounds half = median({{1, 4, 0}, {2, 4, 2}, {3, 4, 4}});
-  EXPECT_EQ(half.low, 2);
-  EXPECT_EQ(half.high, 2);
-  EXPECT_EQ(median({{1, 5, 0}, {2, 5, 0}, {3, 5, 5}}).low, 2);
-  EXPECT_FALSE(median({{1, 5, 5}, {2, 5, 0}}).known());
-}
-
 // Of 2 in 5: 2 ln 0.4 + 3 ln 0.6, which no finite beta reaches.
 TEST(Fragility, LikelihoodOfQuasiSeparatedRunsIsItsLimit) {
   EXPECT_NEAR(fit_probit({{1, 5, 0}, {2, 5, 2}, {3, 5, 5}}).log_likelihood,

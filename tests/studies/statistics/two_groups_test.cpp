@@ -59,6 +59,22 @@ TEST(PairedDifference, DrawsFlipsForManyRecords) {
   EXPECT_EQ(result.p_sign, exact);
 }
 
+// No event on either side, and the same difference in each pair: Student's interval would have no
+// width.
+TEST(PairedDifference, HasNoIntervalWithoutScatter) {
+  for (const double shift : {0.0, 0.1}) {
+    std::vector<Measured> a, b;
+    for (std::size_t i = 0; i < 20; ++i) {
+      a.push_back({0.3 * static_cast<double>(i) * (shift > 0), i});
+      b.push_back({a.back().value + shift, i});
+    }
+    const auto result = paired_difference(a, b);
+    EXPECT_NEAR(result.difference, shift, 1e-12);
+    EXPECT_EQ(result.interval.low, -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(result.interval.high, std::numeric_limits<double>::infinity());
+  }
+}
+
 TEST(PairedDifference, KnowsNothingWithoutPairs) {
   const auto result = paired_difference({{1, 1}}, {{1, 2}});
   EXPECT_EQ(result.pairs, 0);
