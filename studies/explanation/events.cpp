@@ -1,6 +1,7 @@
 #include "studies/explanation/events.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -67,23 +68,15 @@ std::span<const Sample> upright(const ItemResponse& item) {
   return {item.history.begin(), end};
 }
 
-/// The first lift, the longest, and the last before it overturned.
 void add_lifts(const std::string& name, const EquipmentModel& model, const ItemResponse& item,
                std::vector<Event>& events) {
-  const double fall = item.demands.time_of_overturning;
-  const std::vector<Lift> lifts = lifts_of(model, upright(item));
-  if (lifts.empty()) return;
-  const std::size_t longest = static_cast<std::size_t>(
-      std::ranges::max_element(lifts, {}, [](const Lift& l) { return l.until - l.from; }) -
-      lifts.begin());
-  for (std::size_t i = 0; i < lifts.size(); ++i) {
-    if (i != 0 && i != longest && (fall < 0 || i + 1 != lifts.size())) continue;
-    const Lift& lift = lifts[i];
+  const bool overturned = item.demands.time_of_overturning >= 0;
+  for (const Lift& lift : stated_lifts(lifts_of(model, upright(item)), overturned)) {
     const std::string casters = casters_text(model, lift.casters);
     events.push_back({lift.from, EventKind::kLiftOff, name, casters,
                       lift.landed ? lift.until : std::numeric_limits<double>::quiet_NaN(), true,
                       Uplift{lift.casters.size(), lift.most, lift.together, lift.longest,
-                             caster_words(model, lift.longest_caster)}});
+                             caster_words(model, lift.longest_caster), overturned}});
     if (lift.landed) events.push_back({lift.until, EventKind::kLanded, name, casters, 0, true});
   }
 }
@@ -211,6 +204,16 @@ std::vector<Lift> lifts_of(const EquipmentModel& item, std::span<const Sample> h
     lifts.push_back(lift_of(item, history, k, end));
     k = end;
   }
+  return lifts;
+}
+
+std::vector<Lift> stated_lifts(std::vector<Lift> lifts, bool overturned) {
+  if (lifts.size() <= kStatedLifts) return lifts;
+  const auto others = lifts.begin() + 1, last = lifts.end() - (overturned ? 1 : 0);
+  std::ranges::stable_sort(others, last, std::greater{},
+                           [](const Lift& lift) { return lift.until - lift.from; });
+  lifts.erase(others + (kStatedLifts - (overturned ? 2 : 1)), last);
+  std::ranges::sort(lifts, {}, &Lift::from);
   return lifts;
 }
 

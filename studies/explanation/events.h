@@ -30,6 +30,11 @@ struct Lift {
 };
 std::vector<Lift> lifts_of(const EquipmentModel& item, std::span<const Sample> history);
 
+/// Lifts that the events state: the first, the last of an item that overturned, and the longest of
+/// the others, so that there are three of them where there are as many.
+inline constexpr std::size_t kStatedLifts = 3;
+std::vector<Lift> stated_lifts(std::vector<Lift> lifts, bool overturned);
+
 /// Onset of the first visible displacement: the last sample before it in which the origin was
 /// slower than 1 mm/s. < 0: none [s].
 double onset_of_motion(const std::vector<Sample>& history);

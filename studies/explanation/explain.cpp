@@ -26,11 +26,13 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
   const EquipmentModel& model = facts.scene.items.at(index).model;
   const Demands& d = item.demands;
   const bool is_part = joint_of(facts.scene, index).has_value();
+  const double own_mass = whole_item(model).mass, mass = carried_mass(facts.scene, index);
   ItemFacts result{.name = study::item_names(facts.scene).at(index),
                    .has_casters = !model.casters.empty(),
                    .on_floor = carrier_of(facts.scene, index) == index,
                    .is_part = is_part,
-                   .mass = carried_mass(facts.scene, index),
+                   .mass = mass,
+                   .carries = mass > own_mass,
                    .height_of_center_of_mass = whole_item(model).center_of_mass.z(),
                    .peak_displacement = d.peak_displacement,
                    .time_of_peak_displacement = d.time_of_peak_displacement,

@@ -42,6 +42,7 @@ struct Uplift {
   double together = 0;      ///< with all of these off the floor [s]
   double longest = 0;       ///< of a single caster without a landing [s]
   std::string longest_of;   ///< that caster
+  bool overturned = false;  ///< the item did: what is not back was off until then
 };
 
 struct Event {
@@ -87,6 +88,7 @@ struct ItemFacts {
   bool on_floor = true;  ///< not a part, nor on another item: only then it has a grip
   bool is_part = false;  ///< which a joint holds: it has no edge to tip over
   double mass = 0;       ///< with what it carries [kg]
+  bool carries = false;  ///< mass is more than its own
   double height_of_center_of_mass = 0;  ///< [m]
   Finding finding = Finding::kStill;
   double peak_displacement = 0, time_of_peak_displacement = 0;  ///< [m], [s]

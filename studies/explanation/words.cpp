@@ -24,12 +24,12 @@ double angle_of(const Vector2& direction) { return std::atan2(direction.y(), dir
 std::string uplift_text(const Event& event) {
   const bool back = std::isfinite(event.value);
   const Uplift& of = *event.uplift;
+  const std::string end = of.overturned ? "until it overturned" : "to the end of the run";
   if (of.casters == 1)
-    return fmt::format("off the floor {}: {}",
-                       back ? fmt::format("for {:.3g} s", of.longest) : "for good", event.part);
-  std::string text =
-      fmt::format("one or more casters off the floor {}, up to {} at once",
-                  back ? fmt::format("until {:.3f} s", event.value) : "to the end", of.most);
+    return fmt::format("off the floor {}: {}", back ? fmt::format("for {:.3g} s", of.longest) : end,
+                       event.part);
+  std::string text = fmt::format("one or more casters off the floor {}, up to {} at once",
+                                 back ? fmt::format("until {:.3f} s", event.value) : end, of.most);
   if (of.together > 0) text += fmt::format(", all {} for {:.3g} s", of.casters, of.together);
   return text + fmt::format("; a single caster for {:.3g} s at most ({}): {}", of.longest,
                             of.longest_of, event.part);
@@ -90,9 +90,13 @@ std::string sentence(const HalfCycle& of, const UnitSystem& units) {
 std::string sentence(const Predictability& of) {
   const std::string change = "a change of mass by one part in a billion";
   if (of.time_of_peaks == 0) return "Predictable: the item stays where it is";
+  const double growth = of.amplification_at_peaks;
   const std::string grows =
-      fmt::format("{} grows {:.2g}-fold until the peaks of displacement and tilt at {:.2f} s",
-                  change, of.amplification_at_peaks, of.time_of_peaks);
+      fmt::format("{} {} until the peaks of displacement and tilt at {:.2f} s", change,
+                  growth < 1     ? fmt::format("shrinks to {:.2g} of its size", growth)
+                  : growth < 100 ? fmt::format("grows {:.2g}-fold", growth)
+                                 : fmt::format("grows {:.0f}-fold", growth),
+                  of.time_of_peaks);
   switch (of.verdict) {
     case Predictability::Verdict::kPredictable:
       return "Predictable: " + grows +

@@ -71,6 +71,14 @@ Section& Section::add(Section section) {
   return *this;
 }
 
+namespace {
+
+bool is_zero(double number, const Format& format) {
+  return number == 0 || std::abs(number) < format.least;
+}
+
+}  // namespace
+
 std::size_t hide_zeros(Section& section) {
   std::size_t hidden = 0;
   for (Part& part : section.parts) {
@@ -79,7 +87,8 @@ std::size_t hide_zeros(Section& section) {
     if (fact == nullptr || fact->label.empty()) continue;
     const auto* count = std::get_if<std::int64_t>(&fact->value);
     const auto* number = std::get_if<double>(&fact->value);
-    if ((count == nullptr || *count != 0) && (number == nullptr || *number != 0)) continue;
+    if ((count == nullptr || *count != 0) && !(number != nullptr && is_zero(*number, fact->format)))
+      continue;
     fact->label.clear();
     ++hidden;
   }
@@ -100,7 +109,7 @@ std::string four_digits(double value) {
 
 std::string written(const Value& value, const Format& format) {
   const auto number = [&](double of) {
-    of /= format.in_si;
+    of = is_zero(of, format) ? 0 : of / format.in_si;
     const std::string text =
         format.before + (format.digits.empty()
                              ? four_digits(of)

@@ -67,6 +67,7 @@ struct Format {
   double json_unit = 1;        ///< in which JSON has it, in SI
   std::string between = ", ";  ///< the numbers of a list
   std::string before = {};     ///< a mark of this number
+  double least = 0;            ///< people read smaller ones as 0 [SI]
 };
 
 /// @param key    in JSON; empty: for people alone

@@ -19,7 +19,7 @@
 namespace gurney::study {
 namespace {
 
-constexpr std::size_t kReplicates = 199, kSamplesOfReplicate = 500, kSamplesOfBound = 2000;
+constexpr std::size_t kReplicates = 199, kSamplesOfReplicate = 500;
 constexpr double kTail = 0.95;
 
 /// Streams of random numbers: of all pieces, then four of each.
@@ -256,7 +256,7 @@ class Answering {
     replicate(answer);
     for (std::size_t level = 0; level < hospital_.levels.size(); ++level)
       answer.levels.push_back(at_level(level));
-    if (request_.results.empty()) add_bounds(answer);
+    if (request_.results.empty()) add_extremes(answer);
     if (hospital_.hazard) answer.annual = annual();
     answer.cautions = cautions();
     return answer;
@@ -321,9 +321,7 @@ class Answering {
     return objective_ < kFirstService ? row[objective_] : 1 - row[objective_];
   }
 
-  Window ranking_window() const {
-    return {ranked_level_, 0, std::min(request_.samples, kSamplesOfBound)};
-  }
+  Window ranking_window() const { return {ranked_level_, 0, request_.samples}; }
 
   /// The action that gains most for its cost, again and again, each on top of those before it.
   void rank(HospitalAnswer& answer) {
@@ -490,14 +488,14 @@ class Answering {
     return {name, of_column(mean[column], level, column), {}, {}};
   }
 
-  void add_bounds(HospitalAnswer& answer) {
+  /// Services with other correlations than the stated one: none, and full.
+  void add_extremes(HospitalAnswer& answer) {
     for (const bool together : {false, true}) {
       const auto source = curve_outcomes(hospital_, consequences_, together ? 1 : 0);
       Model model(hospital_, consequences_, *source, request_);
       model.prepare(stated_);
       for (std::size_t level = 0; level < answer.levels.size(); ++level) {
-        const auto rows =
-            model.rows({level, 0, std::min(request_.samples, kSamplesOfBound)}, stated_);
+        const auto rows = model.rows({level, 0, request_.samples}, stated_);
         for (std::size_t i = 0; i < hospital_.services.size(); ++i) {
           double works = 0;
           for (const Row& row : rows) works += row[kFirstService + i];

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "studies/explanation/events.h"
 #include "studies/explanation/words.h"
 #include "studies/report/formats.h"
 
@@ -38,6 +39,16 @@ bool belongs(const Event& event, const Explanation& of) {
          event.kind == EventKind::kOverturned || event.kind == EventKind::kImpact;
 }
 
+/// Remark on the uplifts that the events leave out; empty: none.
+std::string uplifts_text(const ItemFacts& item) {
+  if (item.uplifts <= explanation::kStatedLifts) return {};
+  return fmt::format("There were {} uplifts{}; the events have the first{} of the others.",
+                     item.uplifts,
+                     item.finding == Finding::kOverturned ? " until it overturned" : "",
+                     item.finding == Finding::kOverturned ? ", the last, and the longest"
+                                                          : " and the two longest");
+}
+
 void add_events(const Explanation& of, Section& all) {
   constexpr std::size_t kMost = 40;
   Table events{"events", "",
@@ -62,6 +73,7 @@ void add_events(const Explanation& of, Section& all) {
                       of.items.size() > 1 && !event.item.empty() ? event.item + ": " : "", words));
   }
   all.add(std::move(events)).add(std::move(lines));
+  if (!of.failed) all.say(uplifts_text(of.item()));
   if (of.resolution > 0)
     all.say(fmt::format(
         "Moving off, brakes, lift-off, landing and tipping are found in samples {:g} ms apart; "
@@ -114,19 +126,10 @@ std::string grip_text(const ItemFacts& item, const UnitSystem& units) {
         force(grip.peak_demand), what, grip.time, force(grip.demand), force(grip.grip));
   what[0] = static_cast<char>(std::toupper(what[0]));
   return fmt::format(
-      "Grip: holding it on the moving floor takes its mass ({}) times the floor's acceleration. {} "
-      "first could not give that at {:.2f} s; worst at {:.2f} s, {} against {}.",
-      units.fixed(item.mass, "kg", 0), what, grip.time_exceeded, grip.time, force(grip.demand),
-      force(grip.grip));
-}
-
-/// Remark on the uplifts that the events leave out; empty: none.
-std::string uplifts_text(const ItemFacts& item) {
-  const bool overturned = item.finding == Finding::kOverturned;
-  if (item.uplifts <= (overturned ? 3 : 2)) return {};
-  return fmt::format(" There were {} uplifts; the events have the first{} longest{}.", item.uplifts,
-                     overturned ? ", the" : " and the",
-                     overturned ? " and the last before it overturned" : "");
+      "Grip: holding it on the moving floor takes its mass ({}{}) times the floor's acceleration. "
+      "{} first could not give that at {:.2f} s; worst at {:.2f} s, {} against {}.",
+      units.fixed(item.mass, "kg", 0), item.carries ? " with all that it carries" : "", what,
+      grip.time_exceeded, grip.time, force(grip.demand), force(grip.grip));
 }
 
 Section margins(const Explanation& of) {
@@ -135,8 +138,8 @@ Section margins(const Explanation& of) {
   if (!item.is_part) all.say(tilt_text(item, of.units));
   if (!of.record.empty() && item.on_floor) all.say(grip_text(item, of.units));
   if (!item.first_lifted.empty())
-    all.say(fmt::format("First caster off the floor: {}, at {:.3f} s.{}", item.first_lifted,
-                        item.time_of_lift, uplifts_text(item)));
+    all.say(fmt::format("First caster off the floor: {}, at {:.3f} s.", item.first_lifted,
+                        item.time_of_lift));
   if (!item.first_skidded.empty())
     all.say(fmt::format("First braked caster to skid: {}, at {:.3f} s.", item.first_skidded,
                         item.time_of_skid));
@@ -216,9 +219,10 @@ Section other_items(const Explanation& of) {
                 ? explanation::stayed(item, of.units)
                 : fmt::format("{}: {}; moved up to {}{}.", item.name, name_of(item.finding),
                               explanation::length(item.peak_displacement, of.units),
-                              item.is_part ? ""
-                                           : fmt::format(", tilt up to {:.0f} % of critical",
-                                                         100 * item.tilt.ratio())));
+                              item.is_part || item.finding == Finding::kOverturned
+                                  ? ""
+                                  : fmt::format(", tilt up to {:.0f} % of critical",
+                                                100 * item.tilt.ratio())));
   }
   return all;
 }

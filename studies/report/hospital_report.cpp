@@ -77,7 +77,7 @@ Table ranking_of(const study::HospitalAnswer& answer) {
                ends(action.gain.interval),
                action.cost > 0 ? Value(1000 * action.gain.value / action.cost) : Value(),
                action.left, action.beds, action.loss,
-               action.taken ? (action.gain.interval.low > 0 ? "yes" : "not shown") : "no gain"});
+               action.taken ? (action.gain.interval.low > 0 ? "yes" : "not settled") : "no gain"});
   }
   return table;
 }
@@ -113,7 +113,13 @@ findings::Section hospital_findings(const study::Hospital& hospital,
   else
     all.fact("correlation", "correlation", hospital.correlation, {"g"});
   all.fact("currency", "loss in", answer.money);
-  if (!hospital.services.empty()) all.add(services_of(answer, false));
+  if (!hospital.services.empty()) {
+    all.add(services_of(answer, false));
+    if (answer.records == 0)
+      all.say(
+          "Independent and together are no bounds: what needs all of several groups, each with "
+          "spares, may work less often between them.");
+  }
   all.add(services_of(answer, true)).add(levels_of(answer));
   if (answer.annual) add_annual(*answer.annual, answer.beds > 0, all);
   if (!answer.ranking.empty()) {

@@ -37,7 +37,7 @@ Table levels_of(const study::StudyLoss& loss) {
                {"p_serious_injury", "P(injury)", kLossPercent,
                 "a state that may injure seriously is reached: nobody needs to stand there"},
                {"p_serious_injury_interval", "95 %", interval_format(kLossPercent)},
-               {"mean_days", "days", kLossDays, "out of use, sum over the items"},
+               {"mean_days", "days", kLossDays, "until used again or checked, sum over the items"},
                {"mean_days_interval", "", interval_format(kLossDays)}}};
   for (const study::LossAtLevel& at : loss.levels)
     table.add({at.level, at.runs, at.cost.value, interval_of(at.cost),
@@ -150,7 +150,9 @@ findings::Section loss_findings(const study::StudyData& data,
   for (const study::StudyLoss& loss : losses) all.add(loss_of(data, loss));
   all.say(
       "Of all states that an item reaches in a run the worst counts, and the items' losses "
-      "are summed. Intervals are of the records, not of prices and repairs.");
+      "are summed. Days hold those of checks and repairs after which an item still counts as in "
+      "use: only states that take its service are out of use. Intervals are of the records, not of "
+      "prices and repairs.");
   return all;
 }
 

@@ -31,10 +31,15 @@ findings::List sentences(std::string title, Texts lines) {
 /// An item that lies on its side has no heading.
 bool has_heading(const Demands& d) { return d.time_of_overturning < 0; }
 
+/// Whether an angle is seen in a text with a tenth of a degree.
+bool is_visible(double angle) { return std::abs(angle) / kRadiansPerDegree >= 0.05; }
+
+/// Where it ended: `turned` is the largest turn of the run.
 std::string place(const Demands& d, const UnitSystem& units) {
-  std::string text = length(d.residual_displacement, units) + " from its start";
-  if (has_heading(d)) text += ", turned by " + units.fixed(d.residual_yaw, "rad", 1);
-  return text;
+  std::string text = length(d.residual_displacement, units);
+  if (has_heading(d) && is_visible(d.residual_yaw))
+    text += " and " + units.fixed(d.residual_yaw, "rad", 1);
+  return text + " from its start";
 }
 
 std::string motion(const Demands& d, const UnitSystem& units) {
@@ -43,7 +48,7 @@ std::string motion(const Demands& d, const UnitSystem& units) {
       "The item moved at most {} from its start (at {:.2f} s), at up to {}, on a path of {}. ",
       length(d.peak_displacement, units), d.time_of_peak_displacement,
       units.text(d.peak_velocity, "m/s"), units.text(d.path_length, "m"));
-  if (has_heading(d) && d.peak_yaw / kRadiansPerDegree >= 0.05)
+  if (has_heading(d) && is_visible(d.peak_yaw))
     text += fmt::format("It turned by up to {}. ", units.fixed(d.peak_yaw, "rad", 1));
   return text;
 }
@@ -282,6 +287,20 @@ void add_predictability(const Response& response, const Texts& names, Section& a
   if (!lines.empty()) all.add(sentences("Predictability", lines));
 }
 
+/// A change in percent: "+0.16 %", "-130 %", or that it is small.
+std::string percent(double change) {
+  const double size = std::abs(100 * change);
+  if (size < 0.01) return "less than 0.01 %";
+  return size < 10 ? fmt::format("{:+.2g} %", 100 * change)
+                   : fmt::format("{:+.0f} %", 100 * change);
+}
+
+/// The same without a sign.
+std::string percent_at_most(double change) {
+  const std::string text = percent(std::abs(change));
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
 /// By how much half the time step changes a peak, of the items whose motion has a number.
 struct StepChange {
   double largest = 0;  ///< of the peak
@@ -298,9 +317,9 @@ struct StepChange {
 
   void add_to(Texts& texts, const char* quantity, bool one_of_several) const {
     if (!of.empty())
-      texts.push_back(one_of_several ? fmt::format("{}s by at most {:.2g} % ({})", quantity,
-                                                   100 * std::abs(largest), of)
-                                     : fmt::format("the {} by {:+.2g} %", quantity, 100 * largest));
+      texts.push_back(one_of_several ? fmt::format("{}s by at most {} ({})", quantity,
+                                                   percent_at_most(largest), of)
+                                     : fmt::format("the {} by {}", quantity, percent(largest)));
   }
 };
 
@@ -311,7 +330,7 @@ void add_time_step(const Response& response, const Texts& names, Section& all) {
         "Time step: halved {} times{}; the last two changed {}.", quality.step_halvings,
         quality.step_halvings == Quality::kLargestHalvings ? ", no shorter is tried" : "",
         std::isfinite(quality.peak_change)
-            ? fmt::format("no judged demand by more than {:.2g} %", 100 * quality.peak_change)
+            ? "no judged demand by more than " + percent_at_most(quality.peak_change)
             : "an outcome"));
   StepChange displacement, tilt;
   for (std::size_t i = 0; i < response.items.size(); ++i) {
@@ -334,12 +353,13 @@ void add_time_step(const Response& response, const Texts& names, Section& all) {
 std::string reason(const SettledDemand& demand) {
   if (!std::isfinite(demand.step_change)) return "comes or goes";
   if (SettledDemand::kMargin * std::abs(demand.step_change) > SettledDemand::kFractions[3])
-    return fmt::format("{:+.2g} %", 100 * demand.step_change);
+    return percent(demand.step_change);
   if (!demand.predictable()) return "by the change of mass";
-  return demand.number.counts_events() ? "as many at half the step" : "others change by more";
+  return demand.number.counts_events() ? "as many at half the step, which settles no count"
+                                       : "others change by more";
 }
 
-/// "40 within 1 % and 3 within 5 %; NOT SETTLED: ...": demands of the item and of its marked points
+/// ", of 45 demands: 40 within 1 % and 3 within 5 %; NOT SETTLED: ...": demands of the item and of its marked points
 /// by name, those of wheels by their number.
 /// Without demands that the item has in none of the runs: a fall of one that stands on the floor.
 std::string settled_words(std::vector<SettledDemand> all, const EquipmentModel& model) {
@@ -351,6 +371,7 @@ std::string settled_words(std::vector<SettledDemand> all, const EquipmentModel& 
   for (const double fraction : SettledDemand::kFractions)
     if (const auto count = std::ranges::count(all, fraction, &SettledDemand::within); count > 0)
       counts.push_back(fmt::format("{} within {:g} %", count, 100 * fraction));
+  if (counts.empty()) return fmt::format(": none of {} demands", all.size());
   std::size_t of_wheels = 0;
   for (const SettledDemand& each : all) {
     if (each.settled()) continue;
@@ -365,7 +386,7 @@ std::string settled_words(std::vector<SettledDemand> all, const EquipmentModel& 
   }
   if (of_wheels > 0)
     unsettled.push_back(fmt::format("{} number{} of wheels", of_wheels, of_wheels == 1 ? "" : "s"));
-  return fmt::format("of {} demands: {}{}", all.size(), counts.empty() ? "none" : listed(counts),
+  return fmt::format(", of {} demands: {}{}", all.size(), listed(counts),
                      unsettled.empty() ? "" : "; NOT SETTLED: " + listed(unsettled));
 }
 
@@ -374,7 +395,7 @@ void add_settled(const study::RunFacts& facts, const Response& response, const T
   Texts lines;
   for (std::size_t i = 0; i < response.items.size(); ++i)
     if (const auto settled = settled_demands(response.items[i]); !settled.empty())
-      lines.push_back((names.size() > 1 ? names[i] : "Settled") + ", " +
+      lines.push_back((names.size() > 1 ? names[i] : "Settled") +
                       settled_words(settled, facts.scene.items.at(i).model));
   if (names.size() > 1 && !lines.empty())
     all.add(sentences("Settled", lines));

@@ -159,7 +159,7 @@ findings::Table share_findings(const study::StudyOverview& overview) {
                {"", "configuration"},
                {"level", overview.measure.empty() ? "records" : overview.measure},
                {"runs", "runs"},
-               {"overturned", "overturned"},
+               {"overturned", "any overturned", {}, "runs in which any item overturned"},
                {"failed", "failed"}}};
   for (const study::LimitState& state : overview.states) {
     table.columns.push_back({"exceeded." + state.name, ""});

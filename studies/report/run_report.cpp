@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "engine/response/settled.h"
 #include "studies/build_info/build_info.h"
@@ -42,9 +43,13 @@ Value value_of(const study::TableColumn<Row>& column, const Row& row) {
   return column.whole() ? Value(static_cast<std::int64_t>(value)) : Value(value);
 }
 
+/// @param shown  for people: a millionth of the least length, angle, ... that anybody asks for is rounding
 template <class Row>
-Format format_of(const study::TableColumn<Row>& column, const UnitSystem& units) {
-  return report::format_of(units.of(column.units), 1, "");
+Format format_of(const study::TableColumn<Row>& column, const UnitSystem& units, bool shown) {
+  Format format = report::format_of(units.of(column.units), 1, "");
+  if (shown && std::string_view(column.units) != "1")
+    format.least = 1e-6 * size_of_interest(column.units);
+  return format;
 }
 
 /// A fact for each column of a row.
@@ -57,7 +62,7 @@ Section facts_of(const std::string& key, const std::string& title,
   Section all(key, title);
   for (const study::TableColumn<Row>& column : columns)
     all.fact(column.name, shown ? words_of(column.name) : "", value_of(column, row),
-             format_of(column, units), note(column.name));
+             format_of(column, units, shown), note(column.name));
   return all;
 }
 
@@ -78,11 +83,11 @@ Table rows_of(const std::string& key, const std::string& label,
   for (const study::TableColumn<Row>& column : columns)
     table.columns.push_back({column.name,
                              table.columns.size() <= shown ? words_of(column.name) : "",
-                             format_of(column, units), column.meaning});
+                             format_of(column, units, shown > 0), column.meaning});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::vector<Cell> cells{names.at(i)};
     for (const study::TableColumn<Row>& column : columns) {
-      Format format = format_of(column, units);
+      Format format = format_of(column, units, shown > 0);
       format.before = mark(i, column.name);
       cells.emplace_back(value_of(column, rows[i]), format);
     }

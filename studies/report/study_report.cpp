@@ -131,8 +131,9 @@ findings::Texts cautions_of(const study::StudyOverview& overview, const study::S
     all.push_back(fmt::format("{} of {}: excluded from every statistic",
                               failed_runs(overview.failed, overview.untrusted),
                               counted_words(overview.runs, "run")));
-  if (overview.factors_on_records.above() + overview.factors_on_records.below() > 0)
-    all.push_back("scale factors " + overview.factors_on_records.text());
+  if (overview.factors_on_records.above() > 0)
+    all.push_back("scale factors on the records " + overview.factors_on_records.text() +
+                  ", where scaling may bias demands");
   std::ranges::move(warning_cautions(overview), std::back_inserter(all));
   if (overview.step_check)
     for (const study::StateChange& each : overview.step_check->states)
@@ -305,9 +306,16 @@ findings::Texts sensitivity_remarks(const study::StudySensitivity& found) {
   if (lead == found.inputs.end())
     say("No input stands out: every interval reaches 0.");
   else
-    say(fmt::format("{} contributes most: first-order Sobol' index {:.2f}{}.", name_of(*lead),
+    say(fmt::format("{} contributes most{}: first-order Sobol' index {:.2f}{}.", name_of(*lead),
+                    lead == found.inputs.begin() ? "" : " of those whose interval does not reach 0",
                     lead->index->estimate,
                     lead->total ? fmt::format(", total index {:.2f}", lead->total->estimate) : ""));
+  if (lead != found.inputs.end() && lead != found.inputs.begin()) {
+    findings::Texts larger;
+    for (auto each = found.inputs.begin(); each != lead; ++each) larger.push_back(name_of(*each));
+    say(fmt::format("Before it, but not settled, since the interval reaches 0: {}.",
+                    findings::listed(larger)));
+  }
   say(fmt::format("The indices sum to {:.2f}{}.", found.sum,
                   found.correlated.empty() ? "" : ", correlated inputs counted once"));
   const char* const rest = 1 - found.sum > kMuchLeft

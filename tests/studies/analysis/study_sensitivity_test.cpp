@@ -66,6 +66,16 @@ TEST_F(StudySensitivityTest, SharesOfTheVarianceAreFound) {
   EXPECT_THAT(text, testing::Not(HasSubstr("Few runs")));
 }
 
+TEST_F(StudySensitivityTest, ALargerIndexThatIsNotSettledIsNamed) {
+  const StudyData study = data(linear(900));
+  StudySensitivity found = study_sensitivity({&study, 0}, kPeak);
+  found.inputs[0].index->interval.low = 0;
+  found.inputs[1].index->interval.low = 0.05;
+  const std::string text = one_line(report::sensitivity_findings({"", found, ""}));
+  EXPECT_THAT(text, HasSubstr("small contributes most of those whose interval does not reach 0: "));
+  EXPECT_THAT(text, HasSubstr("Before it, but not settled, since the interval reaches 0: big."));
+}
+
 TEST_F(StudySensitivityTest, EqualConstantAndCorrelatedInputsAreNamed) {
   std::vector<SyntheticRun> runs = linear(100);
   for (SyntheticRun& run : runs) {

@@ -351,6 +351,26 @@ TEST(Lifts, KnowHowLongAllCastersAreOff) {
   EXPECT_NEAR(lifts[0].longest, 0.4, 1e-12);
 }
 
+/// The first, the last of what overturned, and the longest of the others, in their order.
+TEST(Lifts, AreStatedByThrees) {
+  const auto starts = [](const std::vector<double>& lengths, bool overturned) {
+    std::vector<Lift> lifts;
+    for (const double length : lengths) {
+      const double from = 10 * static_cast<double>(lifts.size());
+      lifts.push_back({from, from + length, true, {0}, 1, 0, length, 0});
+    }
+    std::vector<double> found;
+    for (const Lift& lift : stated_lifts(lifts, overturned)) found.push_back(lift.from);
+    return found;
+  };
+  using Times = std::vector<double>;
+  EXPECT_EQ(starts({}, true), Times{});
+  EXPECT_EQ(starts({1, 2, 3}, true), (Times{0, 10, 20}));
+  EXPECT_EQ(starts({1, 2, 5, 3, 4}, true), (Times{0, 20, 40}));
+  EXPECT_EQ(starts({1, 2, 3, 4, 5}, true), (Times{0, 30, 40})) << "the last is the longest";
+  EXPECT_EQ(starts({5, 1, 2, 3, 4}, false), (Times{0, 30, 40}));
+}
+
 TEST(Words, OfALiftAreThoseOfItsCasters) {
   const Uplift hops{4, 3, 0, 0.3, "front right"}, flight{4, 4, 0.04, 0.3, "front right"},
       one{1, 1, 0.25, 0.25, "front left"};
@@ -364,7 +384,49 @@ TEST(Words, OfALiftAreThoseOfItsCasters) {
             "one or more casters off the floor until 1.800 s, up to 4 at once, all 4 for 0.04 s; a "
             "single caster for 0.3 s at most (front right): a, b, c and d");
   EXPECT_EQ(words(1.25, "front left", one), "off the floor for 0.25 s: front left");
-  EXPECT_EQ(words(std::nan(""), "front left", one), "off the floor for good: front left");
+  EXPECT_EQ(words(std::nan(""), "front left", one),
+            "off the floor to the end of the run: front left");
+  // What happens after it has overturned is not counted.
+  const Uplift fall{2, 2, 0.04, 0.3, "front right", true};
+  EXPECT_EQ(words(std::nan(""), "a and b", fall),
+            "one or more casters off the floor until it overturned, up to 2 at once, all 2 for "
+            "0.04 s; a single caster for 0.3 s at most (front right): a and b");
+}
+
+TEST(Words, OfItemsThatCarryAndThatOverturnAreTheirs) {
+  Explanation of;
+  of.record = "shake";
+  of.items.resize(2);
+  ItemFacts &cart = of.items[0], &pump = of.items[1];
+  cart.name = "cart";
+  cart.mass = 91;
+  cart.grip.time_exceeded = 1;
+  pump.name = "pump";
+  pump.finding = Finding::kOverturned;
+  pump.tilt.tilt = 0.91;
+  pump.tilt.critical = 1;
+  const auto text = [&] { return one_line(of); };
+  EXPECT_NE(text().find("takes its mass (91 kg) times"), std::string::npos);
+  cart.carries = true;
+  EXPECT_NE(text().find("takes its mass (91 kg with all that it carries) times"),
+            std::string::npos);
+  EXPECT_NE(text().find("pump: overturned; moved up to 0.00 mm."), std::string::npos)
+      << "a tilt until it overturned is no margin";
+}
+
+TEST(Words, OfAShrinkingChangeDoNotSayThatItGrows) {
+  Predictability of;
+  of.time_of_peaks = 2;
+  of.horizon = 2;
+  const auto words = [&](double amplification) {
+    of.amplification_at_peaks = amplification;
+    return sentence(of);
+  };
+  EXPECT_EQ(words(0.46),
+            "Predictable: a change of mass by one part in a billion shrinks to 0.46 of its size "
+            "until the peaks of displacement and tilt at 2.00 s");
+  EXPECT_NE(words(4.44).find("grows 4.4-fold until"), std::string::npos);
+  EXPECT_NE(words(1234).find("grows 1234-fold until"), std::string::npos);
 }
 
 TEST(Skids, AreOfBrakedCasters) {

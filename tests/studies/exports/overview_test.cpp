@@ -57,6 +57,16 @@ TEST_F(Overview, PrintsTheScaleFactorsOfAllRecords) {
             40);
 }
 
+TEST_F(Overview, HasOneMeaningForEachColumn) {
+  const StudyOverview overview = study_overview(path_);
+  ASSERT_TRUE(std::ranges::any_of(
+      overview.states, [](const LimitState& state) { return state.name == "overturned"; }));
+  std::vector<std::string> labels;
+  for (const findings::Column& column : report::share_findings(overview).columns)
+    if (!column.label.empty()) labels.push_back(column.label);
+  for (const std::string& label : labels) EXPECT_EQ(std::ranges::count(labels, label), 1) << label;
+}
+
 TEST_F(Overview, NamesFailedRunsAndWhatMakesThemAgain) {
   const StudyOverview overview = study_overview(path_);
   ASSERT_EQ(overview.failures.size(), 1u);

@@ -109,6 +109,13 @@ TEST(Summary, SaysOfEachDemandWhatItIsSettledTo) {
   EXPECT_EQ(settled["points"][0]["peak_displacement"]["step_change"], 0.5);
 }
 
+TEST(Summary, ShowsRoundingAsZero) {
+  Response response = synthetic_response();
+  response.items[0].demands.peak_velocity = 3.46e-13;
+  expect_contains(summary(synthetic_facts(), response), "\n peak velocity 0 m/s\n");
+  EXPECT_EQ(json_of(synthetic_facts(), response)["items"][0]["demands"]["peak_velocity"], 3.46e-13);
+}
+
 TEST(Summary, HasARowForEachOfSeveralItems) {
   const std::string text = summary(synthetic_ward(), synthetic_ward_response());
   expect_contains(text, "item bookcase: 80.0 kg without casters\n");
