@@ -41,6 +41,16 @@ bool is_beginning(const std::string& name, const std::string& known) {
   return name.size() >= kFewestLetters && plain(known).starts_with(plain(name));
 }
 
+/// `lead_ruber` for `lead_rubber_hospital`: the beginning, with one letter wrong.
+bool is_nearly_beginning(const std::string& name, const std::string& known) {
+  constexpr std::size_t kFewestLetters = 6;
+  if (name.size() < kFewestLetters) return false;
+  for (const std::size_t letters : {name.size() - 1, name.size(), name.size() + 1})
+    if (edit_distance(in_lower_case(name), in_lower_case(known.substr(0, letters))) <= 1)
+      return true;
+  return false;
+}
+
 /// `ventilator` for `icu_ventilator`.
 bool is_end(const std::string& name, const std::string& known) {
   constexpr std::size_t kFewestLetters = 4;
@@ -54,7 +64,8 @@ int largest_distance(const std::string& name) {
 }
 
 /// Order of preference: the word spelt otherwise, the first word of a name (`PGV` for `PGV geomean`),
-/// one letter wrong, a forgotten unit, a typo, the end of one name only: `swivel` is `swivels` and not
+/// one letter wrong, a forgotten unit, a typo, the
+/// beginning of one name only with a typo, the end of one name only: `swivel` is `swivels` and not
 /// the beginning of `swivel_lock`.
 const std::string* nearest(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t kLongest = 200;  // a file may have keys of megabytes
@@ -77,8 +88,12 @@ const std::string* nearest(const std::string& name, const std::vector<std::strin
   if (const auto* longer = found([&](const auto& each) { return is_beginning(name, each); }))
     return longer;
   if (distance(closest) <= largest_distance(name)) return &closest;
-  const auto ends = [&](const auto& each) { return is_end(name, each); };
-  return std::ranges::count_if(known, ends) == 1 ? found(ends) : nullptr;
+  const auto only = [&](auto is_it) {
+    return std::ranges::count_if(known, is_it) == 1 ? found(is_it) : nullptr;
+  };
+  if (const auto* begun = only([&](const auto& each) { return is_nearly_beginning(name, each); }))
+    return begun;
+  return only([&](const auto& each) { return is_end(name, each); });
 }
 
 }  // namespace

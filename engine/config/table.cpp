@@ -65,15 +65,17 @@ std::size_t Table::choice(const std::string& key, const std::vector<std::string>
                           std::optional<std::size_t> fallback) {
   std::string list;
   for (const std::string& name : allowed) list += (list.empty() ? "" : ", ") + name;
-  const Node* node = required(key, fallback.has_value(), "one of " + list);
+  const Node* node = required(key, fallback.has_value(),
+                              allowed.size() == 1 ? '"' + list + '"' : "one of " + list);
   if (node == nullptr) return fallback.value_or(0);
   for (std::size_t i = 0; i < allowed.size(); ++i)
     if (node->kind == Node::Kind::kText && node->text == allowed[i]) return i;
   constexpr std::size_t kMany = 12;  // names that make more than a line
-  const std::string near = near_name(node->text, allowed);
-  note_value(
-      *node, key,
-      near.empty() || allowed.size() <= kMany ? "one of " + list + near : "a known name" + near);
+  const std::string near = allowed.size() > 1 ? near_name(node->text, allowed) : "";
+  note_value(*node, key,
+             allowed.size() == 1                       ? '"' + list + '"'
+             : near.empty() || allowed.size() <= kMany ? "one of " + list + near
+                                                       : "a known name" + near);
   return fallback.value_or(0);
 }
 

@@ -1,6 +1,7 @@
 #include "equipment/catalogue/quantity.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -143,16 +144,31 @@ QuantityList Quantities::flag(const std::string& key, bool fallback) {
   return parts(key, quantity, Range::any(), {number(quantity.boolean("value"))}, {true}, true);
 }
 
+namespace {
+
+/// An array of numbers where one for all would do.
+std::vector<double> one_each(Table& table, const std::string& key, const Range& range,
+                             std::size_t size) {
+  std::vector<double> values = table.numbers(key, range, std::nullopt);
+  if (values.size() != size)
+    table.note(key, fmt::format(" = [{}]: must be an array of {} numbers, or one number for all",
+                                fmt::join(values, ", "), size));
+  values.resize(size);
+  return values;
+}
+
+}  // namespace
+
 QuantityList Quantities::numbers(const std::string& key, const Range& range,
                                  const std::vector<bool>& drawn) {
   const std::size_t size = drawn.size();
-  if (table_.is_array(key)) return plain(key, table_.numbers(key, range, size));
+  if (table_.is_array(key)) return plain(key, one_each(table_, key, range, size));
   if (!table_.has(key)) return {};
   if (!table_.is_table(key))
     return plain(key, std::vector<double>(size, table_.number(key, range)));
   Table quantity = *table_.table(key);
   const std::vector<double> values =
-      quantity.is_array("value") ? quantity.numbers("value", range, size)
+      quantity.is_array("value") ? one_each(quantity, "value", range, size)
                                  : std::vector<double>(size, quantity.number("value", range));
   return parts(key, quantity, range, values, drawn, false);
 }

@@ -182,6 +182,19 @@ std::vector<double> wheel_loads_of(const EquipmentModel& item, const MassPropert
 
 double tilt_of(double base, double height) { return std::atan2(base, height); }
 
+/// A height in metres under a key that ends in _mm: the mass is at the floor. Empty: it is not.
+std::string low_center(const EquipmentModel& item) {
+  constexpr double kLow = 0.01;  // of the height; a plate of twice this would have all the mass
+  double height = 0;
+  for (const BodyShape& shape : item.shape) height = std::max(height, shape.top());
+  const double center = item.chassis_center_of_mass.z();
+  if (center >= kLow * height) return {};
+  return fmt::format(
+      "{}: the centre of mass of the chassis is {:.3g} mm above the floor, under {:g} % of the "
+      "height of {:.4g} mm; center_of_mass_mm is in mm",
+      item.name, center * kMillimetersPerMeter, 100 * kLow, height * kMillimetersPerMeter);
+}
+
 }  // namespace
 
 Stability stability_of(const EquipmentModel& item) {
@@ -214,6 +227,7 @@ Stability stability_of(const EquipmentModel& item) {
         "degrees of {}",
         item.name, turned, result.tilt / kRadiansPerDegree, direction, asked / kRadiansPerDegree,
         rolls ? "mobile equipment in its transport position" : "equipment that is not mobile"));
+  if (const std::string low = low_center(item); !low.empty()) result.warnings.push_back(low);
   return result;
 }
 

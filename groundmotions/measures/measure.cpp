@@ -152,6 +152,13 @@ Measure parse_measure(std::string_view text) {
     read_arguments(measure, behind.substr(0, behind.size() - 1), where);
     return measure;
   }
+  for (const Entry& entry : kEntries) {
+    const std::string begin = plain_name(entry.name);
+    if (entry.has_period && all.starts_with(begin) &&
+        number(std::string_view(all).substr(begin.size())))
+      throw Error(where + fmt::format("the period stands in brackets: {}({})", entry.name,
+                                      all.substr(begin.size())));
+  }
   std::vector<std::string> names;
   for (const Entry& entry : kEntries) names.push_back(entry.name);
   const auto original = cut(text, '(').first;

@@ -1,6 +1,7 @@
 #include "studies/analysis/configuration_view.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -35,13 +36,30 @@ std::vector<std::size_t> parsed(const std::string& text, const std::vector<std::
   return {};
 }
 
+/// What is left of a list once the names that are known are taken off its front: of names without
+/// commas up to the next one.
+std::string unknown_part(const std::string& text, const std::vector<std::string>& names) {
+  for (auto comma = text.find(','); comma != std::string::npos; comma = text.find(',', comma + 1))
+    if (std::ranges::find(names, trimmed(text.substr(0, comma))) != names.end())
+      return unknown_part(text.substr(comma + 1), names);
+  const bool with_commas = std::ranges::any_of(
+      names, [](const std::string& name) { return name.find(',') != std::string::npos; });
+  return trimmed(with_commas ? text : text.substr(0, text.find(',')));
+}
+
+std::string no_configuration(const std::string& text, const std::vector<std::string>& names) {
+  const std::string part = unknown_part(text, names), near = config::near_name(part, names);
+  return fmt::format("no configuration '{}'{}", part,
+                     near.empty() ? fmt::format("; known: '{}'", fmt::join(names, "', '")) : near);
+}
+
 }  // namespace
 
 std::vector<std::size_t> named_configurations(const StudyData& data, const std::string& text) {
   if (text.empty()) return {};
   const std::vector<std::size_t> found = parsed(text, data.configurations());
-  require(!found.empty(), fmt::format("{}: no configuration '{}'{}", data.file().path(), text,
-                                      config::suggestion(text, data.configurations())));
+  require(!found.empty(),
+          data.file().path() + ": " + no_configuration(text, data.configurations()));
   return found;
 }
 

@@ -476,7 +476,7 @@ void add_submit(Commands& commands) {
             ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));
         add("--mode", options.mode,
             "array: a job of an array for each shard; allocation: all in one job of Slurm")
-            ->check(CLI::IsMember({"array", "allocation"}));
+            ->check(Options::one_of({"array", "allocation"}));
         add.threads(options.threads, "Threads of each shard");
         add("--at-most", options.at_most, "Shards of an array that run at the same time")
             ->check(CLI::Range(1, static_cast<int>(study::kMaxShards)));

@@ -125,10 +125,24 @@ bool wants_json(const CLI::App& app) {
   return json != nullptr && json->count() > 0;
 }
 
+/// An option that a command does not take, or that stands before its name.
+std::string unknown_option(const std::string& word, const std::string& command,
+                           const std::vector<std::string>& known) {
+  const std::string option = word.substr(0, word.find('='));
+  if (std::ranges::find(known, option) != known.end())
+    return fmt::format("{0}: options of a command stand after it: gurney {1} ... {0}\n", option,
+                       command);
+  return fmt::format("unknown option {}{}\n", word, config::near_name(option, known));
+}
+
 /// Arguments that the command does not take, with the option that each may stand for.
 std::string unexpected(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  std::string path;
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    path += (path.empty() ? "" : " ") + command->get_name();
+  }
   std::vector<std::string> known;
   for (const CLI::Option* option : command->get_options({}))
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
@@ -142,8 +156,7 @@ std::string unexpected(const CLI::App& app, const std::vector<std::string>& word
     }
     const bool is_option = word.starts_with('-');
     if (is_option)
-      text += fmt::format("unknown option {}{}\n", word,
-                          config::near_name(word.substr(0, word.find('=')), known));
+      text += unknown_option(word, path, known);
     else if (!option_before)
       text += fmt::format("unexpected argument '{}'\n", word);
     option_before = is_option;

@@ -55,8 +55,14 @@ class Options {
   }
 
   CLI::Option* threads(int& threads, const std::string& help) {
-    return (*this)("-j,--threads", threads, help)->check(CLI::Range(1, 4096));
+    return (*this)("-j,--threads", threads, help)->check(whole_number(1, 4096));
   }
+
+  /// A check of an option: a whole number from one to another.
+  static std::function<std::string(const std::string&)> whole_number(int low, int high);
+
+  /// The same: one of some names, with the nearest to one that is not.
+  static CLI::Validator one_of(const std::vector<std::string>& names);
 
   /// A check of an option: a number above 0.
   static std::function<std::string(const std::string&)> positive() {
@@ -119,10 +125,25 @@ class Options {
   CLI::App& command_;
 };
 
-/// Error of a command line that asks for what the command would ignore: exit code 2.
+/// Error of a command line, whatever its files hold: exit code 2.
 class BadUsage : public Error {
   using Error::Error;
 };
+
+/// @throws BadUsage unless a condition holds
+inline void require_usage(bool condition, const std::string& message) {
+  if (!condition) throw BadUsage(message);
+}
+
+/// What a function makes of a value on the command line. @throws BadUsage for its Error
+template <class Of>
+auto from_usage(Of of, const std::string& before = "") {
+  try {
+    return of();
+  } catch (const Error& error) {
+    throw BadUsage(before + error.what());
+  }
+}
 
 struct CommandText {
   const char *name, *description, *examples;  ///< examples: one a line

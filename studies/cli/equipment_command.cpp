@@ -102,7 +102,7 @@ void add_equipment(Commands& commands) {
         add("--floor", options.floor, "The earlier name of --covering")->group("");
         add("--brakes", options.brakes,
             "on: all brakes applied, off: none (default: as in the file)")
-            ->check(CLI::IsMember({"on", "off"}));
+            ->check(Options::one_of({"on", "off"}));
         add("--assumptions", options.assumptions, "List every parameter in use without a source");
         add_figure_option(add, options.figure, "A figure to write: plan and two sides");
         add("--json", options.json, "Print JSON, in SI units");

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -38,6 +39,17 @@ bool is_of_item(const std::string& format) { return format == "mjcf" || format =
 
 /// Formats whose FILE is not a results file.
 bool is_of_input(const std::string& format) { return is_of_item(format) || format == "job"; }
+
+/// The format that a program reads, where its name stands instead. @return empty: no such program
+std::string format_for(const std::string& program) {
+  static const std::map<std::string, const char*> kFormats = {
+      {"openquake", "nrml"}, {"simcenter", "pelicun"}, {"paraview", "xdmf"},
+      {"blender", "gltf"},   {"mujoco", "mjcf"},       {"ros", "urdf"}};
+  const auto found = kFormats.find(program);
+  return found == kFormats.end()
+             ? std::string()
+             : fmt::format("{}: the format for it is {}", program, found->second);
+}
 
 void check_choice(const ExportOptions& options) {
   const bool fits = options.format == "pelicun" || options.format == "nrml";
@@ -175,8 +187,9 @@ void add_export(Commands& commands) {
                "gltf: the same, animated, for Blender and others; mjcf, urdf: an item for MuJoCo, "
                "for "
                "ROS and others; job: measured pulls as a job under their measured force")
-            ->check(CLI::IsMember({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf",
-                                   "gltf", "mjcf", "urdf", "job"}));
+            ->check(format_for)
+            ->check(Options::one_of({"csv", "pelicun", "nrml", "response-csv", "trials", "xdmf",
+                                     "gltf", "mjcf", "urdf", "job"}));
         add("-o,--output FOLDER", options.folder,
             "Folder for the files (default: FILE_FORMAT beside FILE)");
         add("--configuration", options.choice.configuration,

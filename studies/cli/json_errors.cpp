@@ -9,6 +9,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
+#include "studies/cli/commands.h"
 
 // Messages are taken apart by hand: they quote files, and std::regex needs stack for each character.
 namespace gurney::cli {
@@ -126,7 +127,7 @@ int with_json_errors(bool json, const std::function<int()>& action) {
     return action();
   } catch (const Error& error) {
     fmt::print("{}\n", Json{{"errors", json_errors(error.what())}}.dump(2));
-    return 1;
+    return dynamic_cast<const BadUsage*>(&error) == nullptr ? 1 : 2;
   }
 }
 

@@ -288,7 +288,7 @@ void add_new(Commands& commands) {
        "gurney new study fragility --from PEER_download --item my_cart.toml"},
       new_command, [](Options& add, NewOptions& options) {
         add.required("KIND", options.kind, "job, item, caster, room, study or calibration")
-            ->check(CLI::IsMember(templates::kinds()));
+            ->check(Options::one_of(templates::kinds()));
         add.required("NAME", options.name, "NAME.toml is written; of a calibration a folder");
         add("--item", options.wishes.item,
             "Of a job or study: an item of the catalogue, or its file");

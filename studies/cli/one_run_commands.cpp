@@ -269,8 +269,8 @@ std::vector<std::size_t> ghosts_of(const PlayOptions& options) {
 
 int play(const PlayOptions& options) {
   constexpr std::size_t kMaxRuns = 4;
-  require(fs::path(options.output).extension() == ".html",
-          options.output + ": the page must end in .html (-o FILE.html)");
+  require_usage(fs::path(options.output).extension() == ".html",
+                options.output + ": the page must end in .html (-o FILE.html)");
   require(options.runs.size() <= kMaxRuns,
           fmt::format("--run: at most {} runs fit beside each other", kMaxRuns));
   study::OutputFiles(options.overwrite).check(options.output);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/shell_word.h"
 #include "engine/config/nearest_name.h"
 #include "studies/analysis/configuration_view.h"
 #include "studies/analysis/overview.h"
@@ -211,7 +212,11 @@ const PlotKind& kind_of(const PlotRequest& request) {
     if (request.kind == kind.name) return kind;
     names.push_back(kind.name);
   }
-  throw Error(
+  const bool is_kind = std::ranges::find(names, request.file) != names.end();
+  if (is_kind || request.kind.ends_with(".h5"))
+    throw BadUsage(fmt::format("the file comes first: gurney plot {} {}{}",
+                               shell_word(request.kind), is_kind ? "" : "KIND ", request.file));
+  throw BadUsage(
       fmt::format("no figure '{}'{}", request.kind, config::suggestion(request.kind, names)));
 }
 
@@ -256,7 +261,7 @@ std::vector<std::string> given(const PlotRequest& request) {
   return names;
 }
 
-/// @throws Error unless the kind is one of those there are, and takes what is given
+/// @throws BadUsage unless the kind is one of those there are, and takes what is given
 void check_kind(const PlotRequest& request) {
   const PlotKind& kind = kind_of(request);
   for (const std::string& name : given(request))
@@ -313,9 +318,9 @@ double points_of(const std::string& text) {
   double points = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
   const std::string unit(end, text.data() + text.size());
-  require(error == std::errc() && (unit.empty() || unit == "pt") && points >= kSmallest &&
-              points <= kLargest,
-          fmt::format("--font-size {}: must be {} to {} pt", text, kSmallest, kLargest));
+  require_usage(error == std::errc() && (unit.empty() || unit == "pt") && points >= kSmallest &&
+                    points <= kLargest,
+                fmt::format("--font-size {}: must be {} to {} pt", text, kSmallest, kLargest));
   return points;
 }
 
@@ -326,9 +331,10 @@ figures::PlotPage page_of(PlotOptions& options) {
   if (options.figure.width.empty()) options.figure.width = fmt::format("{}px", page.width);
   page.width = picture::length_in_mm(options.figure.width) * kPxPerMm * kPagePoints /
                points_of(options.font_size);
-  require(page.width >= kNarrowest,
-          fmt::format("--width {}: too narrow for this size of text; choose a smaller --font-size",
-                      options.figure.width));
+  require_usage(
+      page.width >= kNarrowest,
+      fmt::format("--width {}: too narrow for this size of text; choose a smaller --font-size",
+                  options.figure.width));
   return page;
 }
 
@@ -345,9 +351,10 @@ int plot(const PlotOptions& asked) {
     return 0;
   }
   if (!options.request.kind.empty()) check_kind(options.request);
-  require(!options.request.kind.empty() && !options.figure.empty(),
-          "a figure needs its kind and -o FILE.svg, .pdf or .png; gurney plot FILE --list lists "
-          "what can be plotted");
+  const std::string lists = fmt::format("; gurney plot {} --list lists what can be plotted",
+                                        shell_word(options.request.file));
+  require_usage(!options.request.kind.empty(), "a figure needs its kind" + lists);
+  require_usage(!options.figure.empty(), "a figure needs -o FILE.svg, .pdf or .png" + lists);
   options.figure.check();
   const figures::PlotPage page = page_of(options);
   options.figure.write([&] { return plotted(options.request, page); }, false);

@@ -206,7 +206,8 @@ void add_completion(Commands& commands) {
        "source <(gurney completion bash)"},
       completion, [](Options& add, CompletionOptions& options) {
         options.program = &add.program();
-        add.required("SHELL", options.shell, "bash or zsh")->check(CLI::IsMember({"bash", "zsh"}));
+        add.required("SHELL", options.shell, "bash or zsh")
+            ->check(Options::one_of({"bash", "zsh"}));
       });
 }
 

@@ -396,7 +396,7 @@ void add_records_convert(Commands& commands) {
             "Scale each record, after its steps, such as \"Sa(1.0) component=RotD50 "
             "value=0.6 unit=g vertical=kept\" (keys of scale_to in docs/formats/job_file.md)");
         add("--format FORMAT", options.format, "csv or at2 (one file for each component)")
-            ->check(CLI::IsMember({"csv", "at2"}));
+            ->check(Options::one_of({"csv", "at2"}));
         add("--overwrite", options.overwrite, "Replace files that exist");
       });
 }

@@ -449,7 +449,7 @@ void add_records_scale(Commands& commands) {
         add("--component", options.component,
             "Spectrum of a record: RotD50, RotD100, geomean, larger, SRSS, h1, ...");
         add("--mean", options.mean, "Mean of the suite: arithmetic or geometric")
-            ->check(CLI::IsMember({"arithmetic", "geometric"}));
+            ->check(Options::one_of({"arithmetic", "geometric"}));
         add("--floor-share", options.floor_share,
             "The mean is nowhere below this share of the target; 0: it meets the target "
             "on average")

@@ -119,8 +119,8 @@ int watch(const ReportOptions& options) {
 }
 
 int report(const ReportOptions& options) {
-  require(options.output.ends_with(".html"),
-          options.output + ": the report must end in .html (-o REPORT.html)");
+  require_usage(options.output.ends_with(".html"),
+                options.output + ": the report must end in .html (-o REPORT.html)");
   study::OutputFiles(options.overwrite).check(options.output);
   if (options.watch) return watch(options);
   if (!is_folder(options.request.file)) {

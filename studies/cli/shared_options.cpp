@@ -108,13 +108,14 @@ std::vector<study::FragilityResult> fragility_curves(const study::StudyData& dat
 
 picture::Style FigureStyle::style() const {
   picture::Style style{.width_mm = {}, .grey = grey};
-  if (!width.empty()) style.width_mm = picture::length_in_mm(width);
+  if (!width.empty())
+    style.width_mm = from_usage([&] { return picture::length_in_mm(width); }, "--");
   return style;
 }
 
 void FigureFile::check() const {
   if (empty()) return;
-  picture::format_of(path);
+  from_usage([&] { return picture::format_of(path); });
   style();
   study::OutputFiles(overwrite).check(path);
 }
@@ -128,8 +129,8 @@ void FigureFile::write(const std::function<std::string()>& draw, bool quiet) con
 }
 
 void NamedFigures::check() const {
-  require(format.empty() || format == "svg" || format == "pdf" || format == "png",
-          "--figure-format " + format + ": must be svg, pdf or png");
+  require_usage(format.empty() || format == "svg" || format == "pdf" || format == "png",
+                "--figure-format " + format + ": must be svg, pdf or png");
   style();
 }
 
@@ -167,8 +168,8 @@ std::string data_file(equipment::DataKind kind, const std::string& name,
 }
 
 std::filesystem::path results_file(const std::filesystem::path& path) {
-  require(path.extension() == ".h5",
-          path.string() + ": the results file must end in .h5 (-o FILE.h5)");
+  require_usage(path.extension() == ".h5",
+                path.string() + ": the results file must end in .h5 (-o FILE.h5)");
   return path;
 }
 

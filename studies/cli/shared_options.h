@@ -31,7 +31,7 @@ inline CLI::Option* add_method_option(Options& add, std::string& method) {
   return add("--method", method,
              "outcomes: of the runs, or capacities after an IDA (default); cloud: regression "
              "of the demands, of limit states with a demand above a limit")
-      ->check(CLI::IsMember({"outcomes", "cloud"}));
+      ->check(Options::one_of({"outcomes", "cloud"}));
 }
 
 inline study::CurveMethod curve_method(const std::string& method) {

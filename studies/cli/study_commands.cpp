@@ -58,13 +58,13 @@ void choose(const study::StudyData& data, const std::string& text,
           data.file().path() + ": has one configuration; name a second file to compare it with");
   std::vector<std::size_t> chosen = study::named_configurations(data, text);
   if (text.empty() && data.configurations().size() == 2) chosen = {0, 1};
-  require(chosen.size() == 2,
-          fmt::format("two configurations must be named, --configurations A,B, or a second file "
-                      "given\n{}",
-                      listed(data)));
-  require(chosen[0] != chosen[1], fmt::format("--configurations {}: names one twice; must be two "
-                                              "that differ\n{}",
-                                              text, listed(data)));
+  require_usage(chosen.size() == 2,
+                fmt::format("two configurations must be named, --configurations A,B, or a second "
+                            "file given\n{}",
+                            listed(data)));
+  require_usage(chosen[0] != chosen[1],
+                fmt::format("--configurations {}: names one twice; must be two that differ\n{}",
+                            text, listed(data)));
   report.a = {&data, chosen[0]};
   report.b = {&data, chosen[1]};
   report.name_a = report.label_a = report.a.configuration_name();

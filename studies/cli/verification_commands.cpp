@@ -74,7 +74,7 @@ int verify(const VerifyOptions& options) {
   options.style.check();
   const std::vector<verification::Family> families = verification::all_families();
   if (options.list) return list_names(families);
-  std::vector<CaseRun> runs = choose(families, options.selection);
+  std::vector<CaseRun> runs = from_usage([&] { return choose(families, options.selection); });
   if (!options.figures.empty()) {
     std::filesystem::create_directories(options.figures);
     const study::OutputFiles files(options.overwrite);

@@ -170,7 +170,7 @@ int workbench(const WorkbenchOptions& options) {
       : options.file.empty()
           ? "out/workbench.html"
           : fmt::format("out/{}_workbench.html", fs::path(options.file).stem().string());
-  require(output.ends_with(".html"), output + ": the page must end in .html (-o FILE.html)");
+  require_usage(output.ends_with(".html"), output + ": the page must end in .html (-o FILE.html)");
   std::error_code problem;
   if (options.output.empty()) fs::create_directory("out", problem);
   require(!problem, "out: the folder cannot be created: " + problem.message());

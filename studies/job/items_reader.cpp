@@ -107,10 +107,22 @@ std::optional<std::vector<std::string>> read_known(Table& item, const char* key,
   return names;
 }
 
+/// Notes keys that describe an item: they stand in its file.
+void note_keys_of_file(Table& item) {
+  const std::vector<std::string> given = item.keys();
+  for (const char* key : {"mass_kg", "center_of_mass_mm", "inertia_box_mm", "inertia_kg_m2",
+                          "chassis", "shape", "part"}) {
+    if (std::ranges::find(given, key) == given.end()) continue;
+    item.note(key, ": unknown key; it belongs to the item's file, or to [item.inline]");
+    item.set_aside(key);
+  }
+}
+
 /// A table [item] or [[item]] of a job. Errors are noted in the document; then the description
 /// and options are not for use.
 /// @param remarks  on options that reach no caster, or not all
 equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
+  note_keys_of_file(item);
   equipment::Uncertain<JobItem> result;
   equipment::Quantities in(item);
   result.set([](JobItem& of_draw) -> Vector3& { return of_draw.initial.position; },

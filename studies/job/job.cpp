@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,17 +46,62 @@ void check_overlaps(const std::vector<config::Spot>& positions, const JobParts& 
   }
 }
 
+std::string name_of(const PlacedItem& item) {
+  return item.name.empty() ? item.model.name : item.name;
+}
+
 /// A warning for each item that stands in a zone at the start: the zone then counts as entered in
 /// every run.
-std::vector<std::string> warnings_of_zones(const Scene& scene) {
-  std::vector<std::string> warnings;
+void add_warnings_of_zones(const Scene& scene, std::vector<std::string>& warnings) {
   for (const OccupiedZone& each : find_occupied_zones(scene)) {
-    const PlacedItem& item = scene.items[each.item];
     warnings.push_back(fmt::format(
         "zone '{}': '{}' stands in it at the start, so that every run counts as an entry",
-        scene.zones[each.zone].name, item.name.empty() ? item.model.name : item.name));
+        scene.zones[each.zone].name, name_of(scene.items[each.item])));
   }
-  return warnings;
+}
+
+/// The least box along the axes that holds a shape of the room; of a column one that its box has.
+Eigen::AlignedBox3d bounds_of(const RoomShape& shape) {
+  Eigen::AlignedBox3d bounds;
+  const auto add = [&](const Vector3& point) {
+    bounds.extend(Vector3(shape.position + shape.rotation * point));
+  };
+  if (const auto* hull = std::get_if<RoomHull>(&shape.shape)) {
+    for (const Vector3& point : hull->points) add(point);
+    return bounds;
+  }
+  Vector3 half;
+  if (const auto* column = std::get_if<RoomColumn>(&shape.shape))
+    half = {column->radius, column->radius, column->height / 2};
+  else
+    half = std::get<RoomBox>(shape.shape).size / 2;
+  for (const double x : {-1, 1})
+    for (const double y : {-1, 1})
+      for (const double z : {-1, 1}) add(half.cwiseProduct(Vector3(x, y, z)));
+  return bounds;
+}
+
+/// Items of the job that stand outside of the walls, where nothing of the room is: often a unit is wrong.
+/// Walls are shapes as high as a door; they are around something where they extend both ways.
+void add_warnings_of_walls(const Scene& scene, std::size_t items,
+                           std::vector<std::string>& warnings) {
+  constexpr double kHeight = 1.8, kAround = 1;  // [m]
+  Eigen::AlignedBox2d walls;
+  for (const RoomShape& shape : scene.room) {
+    const Eigen::AlignedBox3d bounds = bounds_of(shape);
+    if (bounds.max().z() < kHeight) continue;
+    walls.extend(bounds.min().head<2>()).extend(bounds.max().head<2>());
+  }
+  if (walls.isEmpty() || walls.sizes().minCoeff() < kAround) return;
+  for (std::size_t i = 0; i < items; ++i) {
+    const Vector3& at = scene.items[i].initial.position;
+    if (walls.contains(at.head<2>())) continue;
+    warnings.push_back(fmt::format(
+        "'{}' stands outside of the walls of the room, at ({:g}, {:g}) m: they reach from ({:.3g}, "
+        "{:.3g}) m to ({:.3g}, {:.3g}) m",
+        name_of(scene.items[i]), at.x(), at.y(), walls.min().x(), walls.min().y(), walls.max().x(),
+        walls.max().y()));
+  }
 }
 
 using config::Range;
@@ -224,7 +270,9 @@ void note_misplaced(config::Document& document) {
       {"record", "excitation"},      {"building", "excitation"}, {"force", "excitation"},
       {"drop_weight", "excitation"}, {"covering", "floor"},      {"slope", "floor"},
       {"equipment", "item"},         {"brakes", "item"},         {"casters", "item"},
-      {"position_m", "item"},        {"duration_s", "settings"}, {"time_step_s", "settings"}};
+      {"position_m", "item"},        {"duration_s", "settings"}, {"time_step_s", "settings"},
+      {"limit_state", "study"},      {"factor", "study"},        {"intensity", "study"},
+      {"replicas", "study"},         {"draws", "study"}};
   for (const auto& [key, table] : kPlaces)
     if (const auto found = document.take(key))
       document.note(found->key_place,
@@ -269,9 +317,9 @@ JobReading read(config::Document& document) {
     for (const Table& item : items) positions.push_back(item.spot("position_m"));
     job.add(document, [positions](JobParts& of_draw, equipment::Sampler& of) {
       if (of.clean()) check_overlaps(positions, of_draw, of);
-      if (of.clean())
-        for (std::string& warning : warnings_of_zones(of_draw.scene))
-          of_draw.warnings.push_back(std::move(warning));
+      if (!of.clean()) return;
+      add_warnings_of_zones(of_draw.scene, of_draw.warnings);
+      add_warnings_of_walls(of_draw.scene, positions.size(), of_draw.warnings);
     });
   }
   return job;

@@ -133,7 +133,7 @@ groundmotions::Record read(const RecordRequest& request) {
   try {
     return groundmotions::read_record(request.files, request.options);
   } catch (const Error& error) {
-    if (!request.options.unit.empty()) throw;
+    if (!request.options.unit.empty()) throw Error(request.where + ": " + error.what());
     throw Error(error.what() + missing_beside_unit(request));
   }
 }

@@ -232,6 +232,10 @@ TEST(NearestName, SuggestsANeighbourOrListsAll) {
   EXPECT_EQ(suggestion("PU125", {"R125", "pu_125"}), "; did you mean 'pu_125'?");
   EXPECT_EQ(suggestion("Sheet Vinyl", {"sheet_metal", "sheet-vinyl"}),
             "; did you mean 'sheet-vinyl'?");
+  // A letter wrong in the beginning of one name.
+  EXPECT_EQ(suggestion("lead_ruber", {"concrete_hospital", "lead_rubber_hospital"}),
+            "; did you mean 'lead_rubber_hospital'?");
+  EXPECT_EQ(near_name("lead_ruber", {"lead_rubber_hospital", "lead_rubber_office"}), "");
   EXPECT_EQ(near_name("colour_of_it", {"height", "trail"}), "");
 }
 

@@ -40,6 +40,7 @@ std::string error(const char* text) {
 }
 
 TEST(Measure, ReportsWhatIsWrong) {
+  EXPECT_EQ(error("Sa1.0"), "measure 'Sa1.0': the period stands in brackets: Sa(1.0)");
   EXPECT_EQ(error("Aria"), "measure 'Aria': unknown measure; did you mean 'Arias'?");
   EXPECT_THAT(error("magnitude"), AllOf(HasSubstr("'magnitude': unknown measure; known: PGA, PGV"),
                                         HasSubstr("SaAvg")));

@@ -16,7 +16,7 @@ TEST(BadJob, FileThatIsNotThere) {
 
 TEST(BadJob, EmptyFileNamesWhatItNeeds) {
   EXPECT_EQ(errors_of_text(""),
-            "a.toml:1:1: schema: missing; must be one of gurney-job/1\n"
+            "a.toml:1:1: schema: missing; must be \"gurney-job/1\"\n"
             "a.toml:1:1: item: missing; must be a table [item], or tables [[item]] for several");
 }
 
@@ -59,7 +59,8 @@ timestep = 0.001
 [initial]
 velocity_m_per_s = [1, nan, 0]
 )"),
-            "a.toml:4:16: item.headings_deg = [0, 90]: must be an array of 4 numbers\n"
+            "a.toml:4:16: item.headings_deg = [0, 90]: must be an array of 4 numbers, or one "
+            "number for all\n"
             "a.toml:5:10: item.brakes = \"on\": must be true or false\n"
             "a.toml:6:22: item.payloads.paver: ICU ventilator on cart has no such payload\n"
             "a.toml:7:1: item.brake: unknown key; did you mean 'brakes'?\n"

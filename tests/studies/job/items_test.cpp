@@ -215,7 +215,8 @@ equipment = "icu_bed"
 name = "floor"
 )");
   EXPECT_EQ(text,
-            "a.toml:5:16: item[0].headings_deg = [1, 2]: must be an array of 4 numbers\n"
+            "a.toml:5:16: item[0].headings_deg = [1, 2]: must be an array of 4 numbers, or one "
+            "number for all\n"
             "a.toml:6:1: item[0].brake: unknown key; did you mean 'brakes'?\n"
             "a.toml:9:8: item[1].name = \"bed\": must differ from the name at a.toml:4:8\n"
             "a.toml:12:8: item[2].name = \"floor\": must not be empty or 'floor'");
@@ -225,6 +226,32 @@ name = "floor"
       "its parts and contents");
   EXPECT_EQ(errors("item = []\n"), "a.toml:2:8: item: must be tables [[item]], 1 or more");
   EXPECT_EQ(errors("item = [1]\n"), "a.toml:2:8: item = [1]: must be an array of tables [[item]]");
+}
+
+TEST(BadItems, KeysOfTheFileOfAnItemAreNamedAsSuch) {
+  EXPECT_EQ(errors("[item]\nequipment = \"icu_bed\"\nmass_kg = 5\n"),
+            "a.toml:4:11: item.mass_kg: unknown key; it belongs to the item's file, or to "
+            "[item.inline]");
+  EXPECT_EQ(errors("[item]\nequipment = \"icu_bed\"\n[[limit_state]]\nname = \"a\"\n"),
+            "a.toml:4:3: limit_state: unknown key; did you mean 'study.limit_state'?");
+}
+
+TEST(Warnings, AreGivenForAHeightInMetresUnderAKeyInMillimetres) {
+  const auto warnings = [](const std::string& height) {
+    return job_of_text(
+               "schema = \"gurney-job/1\"\n[item.inline]\nname = \"block\"\n"
+               "chassis = { mass_kg = 30, center_of_mass_mm = [0, 0, " +
+               height +
+               "], inertia_box_mm = [900, 900, 800] }\n"
+               "shape = [{ center_mm = [0, 0, 400], size_mm = [900, 900, 800] }]\n"
+               "contact = { material = \"feet\", friction = 0.5, restitution = 0.2 }\n")
+        .warnings;
+  };
+  EXPECT_TRUE(warnings("400").empty());
+  EXPECT_EQ(warnings("0.45"),
+            (std::vector<std::string>{
+                "block: the centre of mass of the chassis is 0.45 mm above the floor, under 1 % of "
+                "the height of 800 mm; center_of_mass_mm is in mm"}));
 }
 
 /// The casters of the second are wrong only once it is put together.

@@ -70,6 +70,24 @@ TEST(JobRoom, WarnsOfZonesThatAreOccupiedAtTheStart) {
   EXPECT_TRUE(warnings("[5, 5]").empty());
 }
 
+TEST(JobRoom, WarnsOfItemsOutsideOfTheWalls) {
+  const auto warnings = [](const std::string& position, const std::string& height) {
+    std::string walls;
+    for (const char* y : {"-3", "3"})
+      walls += "[[room.wall]]\nname = \"at " + std::string(y) + "\"\nfrom_m = [-3, " + y +
+               "]\nto_m = [3, " + y + "]\nthickness_m = 0.1\nheight_m = " + height + "\n";
+    return job_of("[item]\nequipment = \"icu_ventilator\"\nposition_m = " + position + "\n" + walls)
+        .warnings;
+  };
+  EXPECT_TRUE(warnings("[1, 1]", "2.5").empty());
+  EXPECT_TRUE(warnings("[1000, 0]", "0.3").empty()) << "kerbs are around nothing";
+  const auto far = warnings("[1000, 0]", "2.5");
+  ASSERT_EQ(far.size(), 1u);
+  EXPECT_EQ(far[0],
+            "'icu_ventilator' stands outside of the walls of the room, at (1000, 0) m: they reach "
+            "from (-3, -3.05) m to (3, 3.05) m");
+}
+
 TEST(JobRoom, PairsThatMayTouchHaveConstantsAndTheirAssumptions) {
   const Job job = job_of(std::string(kTwo) + kWall);
   EXPECT_EQ(job.scene.floor_material, "floor");

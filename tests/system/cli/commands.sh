@@ -23,6 +23,8 @@ expect 2 "nonsense" "$gurney" nonsense
 expect 2 "unknown option --jsn; did you mean '--json'?" "$gurney" run "$job" --jsn
 expect 2 "unknown option --ouput; did you mean '--output'?" "$gurney" run "$job" --ouput x.h5
 grep -q "x.h5" stderr && complain "the value of an unknown option is called an argument"
+expect 2 "--overwrite: options of a command stand after it: gurney run ... --overwrite" "$gurney" --overwrite run "$job"
+expect 2 "--threads: two: must be a whole number, 1 to 4096" "$gurney" run "$job" -j two
 expect 2 "unexpected argument 'more.toml'" "$gurney" run "$job" more.toml
 expect 2 "did you mean 'gurney run my.toml'?" "$gurney" my.toml
 expect 2 "did you mean 'gurney show my.h5'?" "$gurney" my.h5
@@ -104,7 +106,7 @@ rm run.toml
 files icu_ventilator_shake.{h5,log,svg} second.{h5,log}
 cmp out/icu_ventilator_shake.h5 out/second.h5 || complain "two runs of one job differ"
 
-expect 1 "must end in .h5" "$gurney" run "$job" -o out/third.txt
+expect 2 "must end in .h5" "$gurney" run "$job" -o out/third.txt
 expect 1 "none does not exist" "$gurney" run "$job" -o none/third.h5
 mkdir -p out/folder.h5
 expect 1 "is a folder" "$gurney" run "$job" -o out/folder.h5

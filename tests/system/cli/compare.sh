@@ -39,9 +39,10 @@ expect 0 "item.brakes" "$gurney" compare a.h5 b.h5 --configuration false,true
 expect 0 "within each of these families" "$gurney" compare a.h5
 expect 0 "|residual_yaw| [deg]" "$gurney" compare a.h5
 expect 0 '"p_holm"' "$gurney" compare a.h5 --json
-expect 1 "two configurations must be named" "$gurney" compare a.h5 --configuration false
-expect 1 "names one twice" "$gurney" compare a.h5 --configurations false,false
+expect 2 "two configurations must be named" "$gurney" compare a.h5 --configuration false
+expect 2 "names one twice" "$gurney" compare a.h5 --configurations false,false
 expect 1 "no configuration 'flase'; did you mean 'false'?" "$gurney" compare a.h5 --configuration flase
+expect 1 "no configuration 'flase'; did you mean 'false'?" "$gurney" compare a.h5 --configurations true,flase
 expect 1 "a configuration of each file must be named" "$gurney" compare a.h5 b.h5
 expect 1 "did you mean 'peak_tilt'?" "$gurney" compare a.h5 --demand peak_tlt
 expect 1 "no intensity measure 'PGA h2'" "$gurney" compare a.h5 --measure "PGA h2"
@@ -49,7 +50,7 @@ expect 1 "missing.h5" "$gurney" compare missing.h5
 for command in "compare a.h5 --demand peak_tilt" "fragility a.h5" \
     "sensitivity a.h5 --configuration false"; do
   # shellcheck disable=SC2086
-  expect 1 "c.eps: the name of a figure must end in .svg, .pdf or .png" \
+  expect 2 "c.eps: the name of a figure must end in .svg, .pdf or .png" \
     "$gurney" $command --figure c.eps
 done
 expect 0 "c.svg" "$gurney" compare a.h5 --demand peak_tilt --figure c.svg

@@ -52,7 +52,7 @@ first = file["errors"][0]
 assert (first["line"], first["column"], first["key"]) == (9, 9, "chassis.mass_kg.value"), first
 assert first["file"] == "bad.toml" and "must be" in first["message"], first
 PYTHON
-equipment 1 "must end in .svg, .pdf or .png" show icu_ventilator --figure plan.eps
+equipment 2 "must end in .svg, .pdf or .png" show icu_ventilator --figure plan.eps
 [ -e plan.eps ] && complain "SVG was written as EPS"
 equipment 1 "none.toml" check none.toml
 equipment 0 '"warnings": []' check "$2/equipment/floors/linoleum.toml" --json

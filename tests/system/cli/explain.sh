@@ -88,7 +88,7 @@ explain 1 "not" run.toml
 explain 0 "why.svg" run.h5 -o why.svg
 grep -q '<b>' why.svg && complain "the title is not text"
 explain 1 "exists already" run.h5 -o why.svg
-explain 1 "why.doc" run.h5 -o why.doc
+explain 2 "why.doc" run.h5 -o why.doc
 explain 0 "why.pdf" run.h5 -o why.pdf --width 85mm --grey
 explain 0 "pole, a very long name" items.h5 -o items.svg
 grep -q '<i>' items.svg && complain "the name of an item is not text"

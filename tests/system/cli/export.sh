@@ -37,6 +37,8 @@ expect 0 "wrote    study_csv/items.csv" "$gurney" export study.h5 --to csv
 
 # What goes wrong leaves nothing.
 expect 1 "did you mean 'moved'" "$gurney" export study.h5 --to nrml --limit moed -o new
+expect 2 "openquake: the format for it is nrml" "$gurney" export study.h5 --to openquake
+expect 2 "not in {csv,pelicun,nrml,response-csv,trials,xdmf,gltf,mjcf,urdf,job}; did you mean 'pelicun'?" "$gurney" export study.h5 --to pelicn
 expect 1 "take one of these with --measure: 'PGA larger'" "$gurney" export study.h5 --to nrml \
   --measure pfa -o new
 expect 1 "no run exceeds" "$gurney" export study.h5 --to pelicun --limit hit -o new

@@ -22,7 +22,7 @@ expect 0 "run.h5" "$gurney" run run.toml -o run.h5 --no-figure
 expect 0 "study.h5" "$gurney" run study.toml -o study.h5
 play() { expect "$1" "$2" "$gurney" play "${@:3}"; }
 play 2 "--output is required" run.h5
-play 1 "must end in .html" run.h5 -o page.svg
+play 2 "must end in .html" run.h5 -o page.svg
 play 1 "has no --run but 0" run.h5 --run 1 -o page.html
 play 1 "choose one of its runs with --run N" study.h5 -o page.html
 play 1 "has no run 9; it has runs 0 to 1" study.h5 --run 9 -o page.html

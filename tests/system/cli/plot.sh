@@ -27,8 +27,8 @@ item.brakes = true
 TOML
 } > study.toml
 
-expect 1 "--figure-format eps: must be svg, pdf or png" "$gurney" run run.toml --figure-format eps
-expect 1 "width 'wide': must be a number with its unit" "$gurney" run run.toml --width wide
+expect 2 "--figure-format eps: must be svg, pdf or png" "$gurney" run run.toml --figure-format eps
+expect 2 "width 'wide': must be a number with its unit" "$gurney" run run.toml --width wide
 [ -e out ] && complain "a run was made for a figure that cannot be"
 expect 0 "run.pdf" "$gurney" run run.toml -o run.h5 --figure-format pdf
 [ "$(head -c 5 run.pdf)" = "%PDF-" ] || complain "run.pdf is no PDF"
@@ -41,7 +41,12 @@ expect 0 "uncertainties not propagated, parameters with a range" "$gurney" show 
 grep -q "chassis.mass_kg" stdout || complain "show does not list what was not drawn"
 
 plot() { expect "$1" "$2" "$gurney" plot "${@:3}"; }
-plot 1 "no figure 'histroy'; did you mean 'history'?" run.h5 histroy
+plot 2 "no figure 'histroy'; did you mean 'history'?" run.h5 histroy
+plot 2 "a figure needs its kind; gurney plot run.h5 --list" run.h5 -o x.svg
+plot 2 "a figure needs -o FILE.svg, .pdf or .png; gurney plot run.h5 --list" run.h5 history
+plot 2 "the file comes first: gurney plot run.h5 history" history run.h5 -o x.svg
+plot 2 "the file comes first: gurney plot run.h5 KIND displacement" displacement run.h5 -o x.svg
+plot 2 "--width '85': must be a number with its unit" run.h5 history -o x.svg --width 85
 plot 0 "normal_force" run.h5 --list
 plot 0 "intensity measures (--measure): PGA h1" study.h5 --list
 plot 0 "h.svg" run.h5 history displacement normal_force -o h.svg
@@ -87,15 +92,15 @@ plot 0 "grey.svg" study.h5 stripes peak_tilt -o grey.svg --grey --width 17cm
 grep -q "#0072B2" grey.svg && complain "colour in grey.svg"
 grep -q 'width="170mm"' grey.svg || complain "grey.svg is not 170 mm wide"
 
-plot 1 "must end in .svg, .pdf or .png" study.h5 cdf -o x.eps
-plot 1 "no figure 'cdff'; did you mean 'cdf'?" study.h5 cdff -o x.svg
+plot 2 "must end in .svg, .pdf or .png" study.h5 cdf -o x.eps
+plot 2 "no figure 'cdff'; did you mean 'cdf'?" study.h5 cdff -o x.svg
 plot 1 "needs that of a study. It has: acceleration" run.h5 cdf -o x.svg
 plot 1 "no history 'tillt'; did you mean 'tilt'?" run.h5 history tillt -o x.svg
 plot 1 "no demand 'peak_tlt'; did you mean 'peak_tilt'?" study.h5 cloud peak_tlt -o x.svg
 plot 1 "no histories of run 99" study.h5 history tilt --run 99 -o x.svg
-plot 1 "too narrow for this size of text" study.h5 cdf -o x.svg --width 40mm --font-size 20
-plot 1 "--font-size big: must be" study.h5 cdf -o x.svg --font-size big
-plot 1 "--list lists" study.h5
+plot 2 "too narrow for this size of text" study.h5 cdf -o x.svg --width 40mm --font-size 20
+plot 2 "--font-size big: must be" study.h5 cdf -o x.svg --font-size big
+plot 2 "--list lists" study.h5
 # What a figure does not take is bad usage, whatever the file.
 for words in "cloud --level 2" "cdf --level 2" "cdf --measure PGA" "fragility --level 2" "fragility --run 1" \
   "cloud --run 1" "spectra --measure PGA" "tornado --method cloud" "trajectories tilt" "history --job run.toml"; do

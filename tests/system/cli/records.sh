@@ -90,7 +90,7 @@ records 1 "must be a file that ends in .csv, or a folder" convert "$record" -o c
 records 1 "AT2 files hold one component each" convert "$record" --format at2 -o c.csv
 records 1 "the folder none does not exist" convert "$record" -o none/folder
 records 0 "figures/synthetic_3c.svg" plot "$record" -o figures
-records 1 "must end in .svg" plot "$record" -o c.jpg
+records 2 "must end in .svg" plot "$record" -o c.jpg
 records 1 "one file for several records" convert "$record" mixed/a.csv -o c.csv
 [ ! -e c.csv ] || complain "c.csv was left"
 

@@ -76,7 +76,7 @@ expect 1 "prices.toml" "$gurney" report study.h5 --consequences prices.toml -o x
 [ ! -e x.html ] || complain "a page in spite of an error"
 expect 1 "run.html: exists already" "$gurney" report run.h5 -o run.html
 expect 0 "run.html" "$gurney" report run.h5 -o run.html --overwrite
-expect 1 "must end in .html" "$gurney" report run.h5 -o run.pdf
+expect 2 "must end in .html" "$gurney" report run.h5 -o run.pdf
 expect 1 "is the file of one run" "$gurney" report run.h5 --limit-state overturned -o x.html
 expect 1 "missing.h5" "$gurney" report missing.h5 -o x.html
 expect 1 "no_such" "$gurney" report study.h5 --limit-state 'no_such > 1 m' -o x.html

@@ -196,7 +196,7 @@ study 3 " failed" failing.toml -o failing.h5
 [ -e failing.h5 ] || complain "no results of a study with failed runs"
 
 # Files that cannot be.
-study 1 "must end in .h5" small.toml -o a.txt
+study 2 "must end in .h5" small.toml -o a.txt
 study 1 "the folder none does not exist" small.toml -o none/a.h5
 gone none
 study 1 "cannot be written" small.toml -o /proc/a.h5

@@ -10,8 +10,8 @@ expect 0 "time at which it rolls" "$gurney" verify skid_to_roll/hoop
 expect 0 "tolerance: one step to change, one to report it: 2 dt" "$gurney" verify skid_to_roll/hoop
 expect 0 "12 cases" "$gurney" verify alignment -j 2
 expect 0 "skid_to_roll/draw_8 " "$gurney" verify skid_to_roll --draw 7 --count 2
-expect 1 "no case, family or group is named 'alignmnt'; did you mean 'alignment'?" "$gurney" verify alignmnt
-expect 1 "gurney verify --list lists them" "$gurney" verify nosuchcase
+expect 2 "no case, family or group is named 'alignmnt'; did you mean 'alignment'?" "$gurney" verify alignmnt
+expect 2 "gurney verify --list lists them" "$gurney" verify nosuchcase
 [ "$(wc -c < stderr)" -lt 200 ] || complain "all names on one line"
 expect 0 "skid_to_roll (" "$gurney" verify --list
 expect 2 "--draw" "$gurney" verify --count 3

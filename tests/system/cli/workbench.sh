@@ -60,7 +60,7 @@ sed 's/brakes/brake/; s/"carts/"cart/' mine/job.toml > mine/bad.toml
 expect 1 "mine/bad.toml:3:13: item[0].equipment = \"cart/cart.toml\": no such file" "$gurney" workbench mine/bad.toml -o bad.html
 expect 1 "many runs" "$gurney" workbench "$source/studies/jobs/icu_ventilator_fragility.toml" -o bad.html
 expect 1 "unknown item of equipment" "$gurney" workbench icu_bet -o bad.html
-expect 1 "must end in .html" "$gurney" workbench -o bad.htm
+expect 2 "must end in .html" "$gurney" workbench -o bad.htm
 expect 1 "neither a job nor a room nor an item" "$gurney" workbench mine/carts/wheel.toml -o bad.html
 GURNEY_DATA=$folder/mine expect 1 "./dev workbench" "$gurney" workbench -o bad.html
 [ -e bad.html ] && complain "a page is written in spite of an error"
