@@ -120,11 +120,16 @@ double change_of_a_quarter(const Demands& run, const Predictability& found) {
 std::vector<SettledDemand> settled_demands(const ItemResponse& item) {
   if (!item.predictability) return {};
   std::vector<SettledDemand> all = changes_of(item.demands, *item.predictability);
-  const double least = SettledDemand::kShareOfOthers *
-                       std::max(upper_quartile(all), item.predictability->change_of_neighbours);
-  for (SettledDemand& each : all)
-    if (!is_nothing(each) && !each.number.is_of_overturning())
+  // What has not happened beside such a neighbour may happen.
+  const double beside = item.predictability->change_of_neighbours,
+               least = SettledDemand::kShareOfOthers * std::max(upper_quartile(all), beside);
+  for (SettledDemand& each : all) {
+    if (each.number.is_of_overturning()) continue;
+    if (is_nothing(each))
+      each.least_change = SettledDemand::kShareOfOthers * beside;
+    else
       each.least_change = each.number.counts_events() ? kInfinite : least;
+  }
   return all;
 }
 

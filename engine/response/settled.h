@@ -54,8 +54,8 @@ struct SettledDemand {
   double at_half_step = 0, of_twin = 0;  ///< [SI]; NaN: there is none
   double step_change = 0;                ///< relative_change() with half the time step
   double twin_change = 0;                ///< and of the twin
-  /// Least size that |step_change| counts as: 0 of what is zero or none and of overturning,
-  /// infinite of other numbers of events, else by kShareOfOthers.
+  /// Least size that |step_change| counts as: 0 of overturning, infinite of numbers of events that there are,
+  /// else by kShareOfOthers; of what is zero or none by that of the items that it may meet.
   double least_change = 0;
 
   /// The least of kFractions that the change with half the time step, or least_change, times

@@ -177,16 +177,18 @@ std::vector<SettledDemand> beside_an_unsettled_block(double apart) {
 // Circles of radius sqrt(2) / 2 m about blocks that move 0.1 m each: they may meet if what is left, apart less
 // 0.41 and 0.2 m, is within 4 times 0.05 m.
 TEST(HalfStep, OfANeighbourThatMayBeMetIsThatOfTheItem) {
-  const auto label = [](double apart) {
+  const auto label = [](double apart, std::string_view name = "peak_displacement") {
     const std::vector<SettledDemand> all = beside_an_unsettled_block(apart);
     return std::ranges::find(
-               all, std::string_view("peak_displacement"),
+               all, name,
                [](const SettledDemand& each) { return std::string_view(each.number.name); })
         ->within();
   };
   EXPECT_EQ(label(0.83), 0.01);
   // A third of 0.15 m changes; a quarter of that times 4 is more than 10 %.
   EXPECT_GT(label(0.80), 0.1);
+  EXPECT_EQ(label(0.83, "largest_approach_speed"), 0.01);
+  EXPECT_GT(label(0.80, "largest_approach_speed"), 0.1) << "it may be hit";
 }
 
 /// Twin and half step of each way to choose the step, made one after the other.
