@@ -10,8 +10,8 @@
 namespace gurney {
 namespace {
 
-/// Direction of a chassis that tells its heading: its x axis; of a cylinder that lies its axis, which stays
-/// as it rolls.
+/// Horizontal direction of a chassis: its x axis; of a cylinder on its side the axis of the cylinder, which
+/// stays as it rolls.
 Vector3 heading_of(const std::optional<Vector3>& roller) {
   constexpr double kUpright = 0.5;  // cosine
   return roller && std::abs(roller->z()) < kUpright ? *roller : Vector3::UnitX();
