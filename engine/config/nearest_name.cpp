@@ -64,9 +64,8 @@ int largest_distance(const std::string& name) {
 }
 
 /// Order of preference: the word spelt otherwise, the first word of a name (`PGV` for `PGV geomean`),
-/// one letter wrong, a forgotten unit, a typo, the
-/// beginning of one name only with a typo, the end of one name only: `swivel` is `swivels` and not
-/// the beginning of `swivel_lock`.
+/// one letter wrong, a forgotten unit, a typo, the beginning of one name only with a typo, the end of
+/// one name only: `swivel` is `swivels` and not the beginning of `swivel_lock`.
 const std::string* nearest(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t kLongest = 200;  // a file may have keys of megabytes
   if (name.size() > kLongest) return nullptr;

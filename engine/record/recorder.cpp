@@ -130,7 +130,7 @@ void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impact
   current_.displacement = to.position + r - origin_start_;
   current_.velocity = v + w.cross(r);
   current_.acceleration = a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r));
-  // What lies on its side has no heading.
+  // An item on its side has no heading.
   if (!has_overturned_) yaw_ += std::remainder(yaw_of(rotation) - yaw_, 2 * std::numbers::pi);
   current_.yaw = yaw_ - yaw_start_;
   current_.tilt = lean_of(rotation);

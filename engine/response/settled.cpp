@@ -120,7 +120,7 @@ double change_of_a_quarter(const Demands& run, const Predictability& found) {
 std::vector<SettledDemand> settled_demands(const ItemResponse& item) {
   if (!item.predictability) return {};
   std::vector<SettledDemand> all = changes_of(item.demands, *item.predictability);
-  // What has not happened beside such a neighbour may happen.
+  // An impact that did not happen beside such a neighbour may happen.
   const double beside = item.predictability->change_of_neighbours,
                least = SettledDemand::kShareOfOthers * std::max(upper_quartile(all), beside);
   for (SettledDemand& each : all) {

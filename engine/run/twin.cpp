@@ -99,17 +99,15 @@ double least_gap(const Scene& scene, const Response& run, std::size_t i, std::si
   return distance - radius(i) - radius(j);
 }
 
-/// Whether errors of the time step may decide that two items meet or how. What stands on another or hangs
-/// on it acts on it all the time, which its own changes show.
+/// Whether errors of the time step may decide that two items meet or how. Bodies of one mechanism do not touch,
+/// and an item that stands on another acts on it all the time, which its own changes show.
 bool may_meet(const Scene& scene, const Response& run, const Response& half, std::size_t i,
               std::size_t j) {
   const auto carries = [&](std::size_t below, std::size_t above) {
     const std::optional<Support>& on = scene.items[above].on;
-    const auto joint = joint_of(scene, above);
-    return (on && on->kind == Support::Kind::kItem && on->index == below) ||
-           (joint && scene.joints[*joint].base == below);
+    return on && on->kind == Support::Kind::kItem && on->index == below;
   };
-  if (carries(i, j) || carries(j, i)) return false;
+  if (root_of(scene, i) == root_of(scene, j) || carries(i, j) || carries(j, i)) return false;
   const auto change = [&](std::size_t k) {
     return change_of_place(run.items[k].demands, half.items[k].demands);
   };

@@ -138,6 +138,11 @@ std::optional<std::size_t> joint_of(const Scene& scene, std::size_t item) {
   return {};
 }
 
+std::size_t root_of(const Scene& scene, std::size_t item) {
+  while (const auto joint = joint_of(scene, item)) item = scene.joints[*joint].base;
+  return item;
+}
+
 namespace {
 
 /// The item that another hangs or stands on; none: the floor or a shape of the room.

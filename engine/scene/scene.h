@@ -59,6 +59,8 @@ ContactConstants contact_constants(const Scene& scene, const std::string& item,
 
 /// Index in Scene::joints of the joint of which an item is the part; none for a whole item.
 std::optional<std::size_t> joint_of(const Scene& scene, std::size_t item);
+/// The item on whose joints a part hangs, directly or over other parts; a whole item itself.
+std::size_t root_of(const Scene& scene, std::size_t item);
 
 /// The item that carries another over joints and supports, which stands on the floor or on a shape of the
 /// room; or itself.

@@ -8,8 +8,7 @@ Assembly::Assembly(const Scene& scene)
     : laws(scene), gravity(gravity_on_slope(scene.gravity, scene.slope, scene.cross_slope)) {
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     items.emplace_back(scene, i);
-    const auto joint = joint_of(scene, i);
-    roots.push_back(joint ? roots[scene.joints[*joint].base] : i);
+    roots.push_back(root_of(scene, i));
   }
   std::vector<double> carried;
   for (const Mechanism& item : items) carried.push_back(item.total_mass);

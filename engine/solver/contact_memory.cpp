@@ -51,8 +51,9 @@ void ContactMemory::match_pair(const std::vector<BodyContact>& contacts, std::si
     found_[match.now - begin] = taken_[match.before - first] = true;
     BodyContactState& memory = states[match.now] = before_[match.before];
     memory.kept_place = contacts[match.now].same_place(memory.contact);
-    if (match.distance >= kSameContactDistance) memory.deflection.setZero();
-    if (match.distance >= kSameContactDistance) memory.lead.setZero();
+    if (match.distance < kSameContactDistance) continue;
+    memory.deflection.setZero();
+    memory.lead.setZero();
   }
 }
 

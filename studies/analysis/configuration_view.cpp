@@ -36,8 +36,7 @@ std::vector<std::size_t> parsed(const std::string& text, const std::vector<std::
   return {};
 }
 
-/// What is left of a list once the names that are known are taken off its front: of names without
-/// commas up to the next one.
+/// The rest of a list without the known names at its front; where no name has a comma, up to the next one.
 std::string unknown_part(const std::string& text, const std::vector<std::string>& names) {
   for (auto comma = text.find(','); comma != std::string::npos; comma = text.find(',', comma + 1))
     if (std::ranges::find(names, trimmed(text.substr(0, comma))) != names.end())

@@ -135,7 +135,7 @@ inline void require_usage(bool condition, const std::string& message) {
   if (!condition) throw BadUsage(message);
 }
 
-/// What a function makes of a value on the command line. @throws BadUsage for its Error
+/// The result of a function of a value on the command line. @throws BadUsage for its Error
 template <class Of>
 auto from_usage(Of of, const std::string& before = "") {
   try {

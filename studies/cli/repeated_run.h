@@ -66,7 +66,7 @@ struct RepeatedRun {
   study::PreparedRun run;
   /// Difference to the demands in the file, with its probable cause; empty: none.
   std::function<std::string(const Response&)> difference;
-  /// What the file of a single run states of its items, which no other spacing of histories changes.
+  /// Predictability as the file of a single run states it, whatever the spacing of histories here.
   std::vector<std::pair<std::string, Predictability>> predictability = {};
 };
 

@@ -194,7 +194,7 @@ void draw_item(Plan& plan, const PlacedItem& item, const Sample& sample, const P
   }
 }
 
-/// Of the origin, which is no point of an item that lies.
+/// Path of the origin while the item stands: lying, it has no point there.
 Curve path_of(const PlacedItem& item, const std::vector<Sample>& history, const Pen& pen) {
   Curve path{std::ranges::all_of(history, stands) ? "path" : "path while it stands", {}, {}, pen};
   for (const Sample& sample : history) {

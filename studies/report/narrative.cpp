@@ -295,7 +295,7 @@ std::string percent(double change) {
                    : fmt::format("{:+.0f} %", 100 * change);
 }
 
-/// The same without a sign.
+/// A change in percent without a sign.
 std::string percent_at_most(double change) {
   const std::string text = percent(std::abs(change));
   return text.starts_with('+') ? text.substr(1) : text;

@@ -11,10 +11,9 @@
 namespace gurney::study {
 namespace {
 
-/// Of the surface on which an item, or the one whose part it is, stands [m].
+/// Height of the surface on which an item, or the one whose part it is, stands [m].
 double height_at_start(const Scene& scene, std::size_t item) {
-  while (const auto joint = joint_of(scene, item)) item = scene.joints[*joint].base;
-  const std::optional<Support>& on = scene.items[item].on;
+  const std::optional<Support>& on = scene.items[root_of(scene, item)].on;
   return on ? on->height : 0;
 }
 

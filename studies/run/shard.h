@@ -26,7 +26,7 @@ struct Shard {
 
 inline constexpr std::size_t kMaxShards = 100000;
 
-/// What is wrong with a shard that is neither "3/8" nor "auto"; empty: nothing.
+/// The fault of a shard that is neither "3/8" nor "auto"; empty: none.
 std::string shard_problem(const std::string& text);
 
 /// Reads "3/8", or "auto" from the variables of Slurm (of an array, else of a step) or Open MPI.

@@ -22,7 +22,7 @@ struct PairedDifference {
   int pairs = 0;                  ///< records seen in both
   double mean_a = 0, mean_b = 0;  ///< of the pairs; each the mean of its record's runs
   double difference = 0;          ///< mean_b - mean_a
-  /// Of the difference by Student's t; all numbers for fewer than two pairs, and where all pairs
+  /// Interval of the difference by Student's t; all numbers for fewer than two pairs, and where all pairs
   /// differ alike: without scatter it would have no width.
   Interval interval;
   double p_permutation = 1;  ///< two-sided, see paired_difference()

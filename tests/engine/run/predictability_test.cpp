@@ -155,12 +155,16 @@ TEST(HalfStep, HasTheDemandsOfTheFinerRun) {
   EXPECT_EQ(found[0].half_step->wheels[2].skid_distance, expected.wheels[2].skid_distance);
 }
 
-/// Labels of the first of two blocks, 1 m wide and `apart` from each other, of which half the step moves the
-/// second by 5 cm and the first not at all.
-std::vector<SettledDemand> beside_an_unsettled_block(double apart) {
+/// Two blocks, 1 m wide and `apart` from each other.
+Scene two_blocks(double apart) {
   Scene scene = blocks::block(10, {1, 1, 1}, {});
   scene.items.push_back(scene.items[0]);
   scene.items[1].initial.position.x() = 1 + apart;
+  return scene;
+}
+
+/// Labels of the first of two bodies, of which half the step moves the second by 5 cm and the first not at all.
+std::vector<SettledDemand> beside_an_unsettled_block(const Scene& scene) {
   Response run;
   run.outcome = Outcome::kStopped;
   run.items.resize(2);
@@ -178,7 +182,7 @@ std::vector<SettledDemand> beside_an_unsettled_block(double apart) {
 // 0.41 and 0.2 m, is within 4 times 0.05 m.
 TEST(HalfStep, OfANeighbourThatMayBeMetIsThatOfTheItem) {
   const auto label = [](double apart, std::string_view name = "peak_displacement") {
-    const std::vector<SettledDemand> all = beside_an_unsettled_block(apart);
+    const std::vector<SettledDemand> all = beside_an_unsettled_block(two_blocks(apart));
     return std::ranges::find(
                all, name,
                [](const SettledDemand& each) { return std::string_view(each.number.name); })
@@ -189,6 +193,13 @@ TEST(HalfStep, OfANeighbourThatMayBeMetIsThatOfTheItem) {
   EXPECT_GT(label(0.80), 0.1);
   EXPECT_EQ(label(0.83, "largest_approach_speed"), 0.01);
   EXPECT_GT(label(0.80, "largest_approach_speed"), 0.1) << "it may be hit";
+}
+
+TEST(HalfStep, OfAPartOfItsOwnMechanismIsNoNeighbours) {
+  Scene scene = two_blocks(0);
+  scene.joints.emplace_back().part = 1;
+  for (const SettledDemand& each : beside_an_unsettled_block(scene))
+    EXPECT_EQ(each.least_change, 0) << each.number.name;
 }
 
 /// Twin and half step of each way to choose the step, made one after the other.

@@ -221,7 +221,7 @@ TEST(Shapes, WhatRollsDoesNotTurn) {
   }
 }
 
-// What the resistance takes from a ball on a trolley without friction it gives the trolley: momentum stays,
+// The resistance takes from a ball and gives to the trolley below, which has no friction: momentum stays,
 // and in the end both move together.
 TEST(Shapes, RollingResistanceActsOnBothBodies) {
   Scene scene = blocks::block(2, {1.5, 1, 0.3}, rough(0));

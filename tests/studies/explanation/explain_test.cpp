@@ -386,7 +386,7 @@ TEST(Words, OfALiftAreThoseOfItsCasters) {
   EXPECT_EQ(words(1.25, "front left", one), "off the floor for 0.25 s: front left");
   EXPECT_EQ(words(std::nan(""), "front left", one),
             "off the floor to the end of the run: front left");
-  // What happens after it has overturned is not counted.
+  // Lifts after the overturning are not counted.
   const Uplift fall{2, 2, 0.04, 0.3, "front right", true};
   EXPECT_EQ(words(std::nan(""), "a and b", fall),
             "one or more casters off the floor until it overturned, up to 2 at once, all 2 for "
