@@ -11,7 +11,7 @@
 
 namespace gurney {
 
-/// Steps as long as their own error allows (docs/theory/step_control.md). With the accelerations
+/// Steps as long as their own error allows (docs/theory/solver.md). With the accelerations
 /// a_0 at the start of a step and a_1, a_2 of its stages, the error of the velocity is
 ///
 ///     d = 2/3 h (a_1 - (1 - gamma) a_0 - gamma a_2),

@@ -4,7 +4,7 @@
 
 namespace gurney::groundmotions {
 
-/// Corrections of the zero line of one component; docs/theory/processing.md. Every one is linear in
+/// Corrections of the zero line of one component; docs/formats/processing.md. Every one is linear in
 /// the acceleration.
 
 inline constexpr int kHighestBaselineDegree = 8;

@@ -8,7 +8,7 @@
 #include "studies/explanation/overturning.h"
 #include "studies/units/unit_system.h"
 
-/// Why a run ended as it did: facts in time order, margins, energies (docs/explain.md).
+/// Why a run ended as it did: facts in time order, margins, energies (docs/look.md).
 namespace gurney::explanation {
 
 /// The worst that happened to an item, the mildest first.

@@ -74,7 +74,7 @@ struct HospitalStudy {
   std::uint64_t seed = 1;
 };
 
-/// An inventory with its services (docs/formats/hospital_file.md).
+/// An inventory with its services (docs/hospital.md).
 struct Hospital {
   std::string path, title, currency;
   std::vector<double> levels;  ///< PGV of the ground, larger component [m/s], increasing

@@ -35,7 +35,7 @@ double mean_of(const equipment::StatedQuantity& quantity);
 double sampled(const equipment::StatedQuantity& quantity, const std::string& name,
                std::uint64_t seed, std::uint64_t sample);
 
-/// Prices of items and what follows from each limit state (docs/formats/loss_files.md).
+/// Prices of items and what follows from each limit state (docs/loss.md).
 class Consequences {
  public:
   /// @throws Error with all errors, each with file:line:column

@@ -8,7 +8,7 @@
 
 /// Prints accuracy and speed in one run. `--quick` takes a small ensemble;
 /// `--predictability`, `--refine`, `--settled`, `--replicas` and `--step-control` print the tables of
-/// docs/theory/predictability.md and step_control.md alone, `--intervals` that of
+/// docs/theory/predictability.md and solver.md alone, `--intervals` that of
 /// docs/theory/statistics.md, `--cost`, `--parts` and `--rooms` those of docs/performance.md, and so does
 /// `--studies JOB...`.
 int main(int argc, char** argv) try {

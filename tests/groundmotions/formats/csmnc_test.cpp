@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kFile = page_example("record_csmnc.md", "## Example");
+const std::string kFile = page_example("## CSMNC");
 
 std::string error(const std::string& from, const std::string& to) {
   return error_text([&] { read_text(replaced(kFile, from, to)); });

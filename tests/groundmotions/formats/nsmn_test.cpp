@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kFile = page_example("record_nsmn.md", "## Example");
+const std::string kFile = page_example("## NSMN");
 
 TEST(Nsmn, ReadsThreeColumns) {
   const auto components = read_text(kFile);

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 
 namespace gurney::groundmotions {
 
-/// The indented lines that follow the line `title`, up to the next line of text.
-inline std::string page_example(const std::string& page, const std::string& title) {
-  std::ifstream stream(std::filesystem::path(GURNEY_SOURCE_DIR) / "docs/formats" / page);
+/// The indented lines of docs/formats/record_files.md that follow the line `title`, up to the next line
+/// of text.
+inline std::string page_example(const std::string& title) {
+  std::ifstream stream(GURNEY_SOURCE_DIR "/docs/formats/record_files.md");
   std::string text, line;
   while (std::getline(stream, line) && line != title) {
   }

@@ -147,7 +147,7 @@ TEST(Pipeline, RotatesTheHorizontals) {
   EXPECT_EQ(fault.processing.size(), 1u);
 }
 
-// The recipe of docs/theory/processing.md ends at rest to rounding, 6000 to 30000 terms.
+// The recipe of docs/formats/processing.md ends at rest to rounding, 6000 to 30000 terms.
 TEST(Pipeline, AdvisedOrderEndsAtRest) {
   Butterworth filter;
   filter.high_pass = 0.1;
@@ -162,7 +162,7 @@ TEST(Pipeline, AdvisedOrderEndsAtRest) {
   }
 }
 
-// The table of docs/theory/processing.md: the shipped record with 0.01 m/s2 on its horizontals.
+// The table of docs/formats/processing.md: the shipped record with 0.01 m/s2 on its horizontals.
 // Half a unit of the last digit there.
 TEST(Pipeline, PageShowsWhatComesOut) {
   Record offset = synthetic_record(shipped_synthetic_motion());

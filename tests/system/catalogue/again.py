@@ -45,7 +45,7 @@ for old, new in zip(shipped, again, strict=True):
     new = {key: str(value) for key, value in new.items()}
     assert old == new, f"shipped: {old}\nagain:   {new}"
 
-with open(os.path.join(source, "docs", "decisions.md")) as file:
+with open(os.path.join(source, "docs", "architecture.md")) as file:
     decision = " ".join(file.read().split())
 curves = [row for row in read(data, "fragility.csv") if row["measure"] == "pfv" and row["theta"] and
           (row["place"], row["brakes"], row["limit_state"]) == ("open", "off", "moved 0.3 m")]
