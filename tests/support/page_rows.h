@@ -12,7 +12,8 @@
 
 namespace gurney {
 
-/// The rows `| name | ... |` of a page whose first cell is a name in backquotes.
+/// The rows `| name | ... |` of a page whose first cell is a name in backquotes; `..._x`, `_y` has a
+/// row for each, with its letter for the x of the meaning.
 inline std::map<std::string, std::vector<std::string>> table_rows(const std::string& path) {
   std::ifstream page(path);
   std::map<std::string, std::vector<std::string>> rows;
@@ -31,7 +32,16 @@ inline std::map<std::string, std::vector<std::string>> table_rows(const std::str
           cell += c;
       }
     }
-    rows[cells.at(0)] = {cells.begin() + 1, cells.end()};
+    if (cells.size() == 4) cells.insert(cells.begin() + 2, "row");  // a column of a table
+    std::string name = cells[0].substr(0, cells[0].find(','));
+    std::vector<std::string> values(cells.begin() + 1, cells.end());
+    rows[name] = values;
+    for (const char axis : {'y', 'z'}) {
+      if (cells[0].find(std::string(", _") + axis) == std::string::npos) continue;
+      name.back() = axis;
+      ++values.back()[values.back().find(static_cast<char>(axis - 1))];
+      rows[name] = values;
+    }
   }
   return rows;
 }
@@ -43,8 +53,8 @@ inline std::string joined(const std::vector<std::string>& names) {
 }
 
 /// Compares the datasets and attributes of a file with the tables of its page, both ways. A table
-/// that the page does not list is that of the page `shared`: `/half_step` has the columns of `/items`,
-/// and histories the terms of `/energy`, in dimensions of their own.
+/// that the page does not list is that of the page `shared`: `/half_step` has the columns of
+/// `/items`, histories the terms of `/energy`, in dimensions of their own, and many those of `/TABLE`.
 inline void expect_as_on_page(const study::Hdf5Reader& file, const std::string& page,
                               const std::string& shared = "") {
   auto rows = table_rows(page);
@@ -57,7 +67,9 @@ inline void expect_as_on_page(const study::Hdf5Reader& file, const std::string& 
     path = std::regex_replace(path, std::regex("^/half_step_points/"), "/points/");
     path = std::regex_replace(path, std::regex("^/half_step/"), "/items/");
     path = std::regex_replace(path, std::regex("^/histories/(energy|loss|work)_"), "/energy/$1_");
-    const auto other = shared_rows.find(path);
+    auto other = shared_rows.find(path);
+    if (other == shared_rows.end())
+      other = shared_rows.find(std::regex_replace(path, std::regex("^/[^/]+/"), "/TABLE/"));
     const bool on_page = rows.contains(dataset.path) || other == shared_rows.end();
     std::vector<std::string> stated = on_page ? rows[dataset.path] : other->second;
     if (!on_page && path.starts_with("/energy/")) stated[1] = cells[1];
@@ -72,6 +84,7 @@ inline void expect_as_on_page(const study::Hdf5Reader& file, const std::string& 
         << "attribute " << name << " is not on the page";
     rows.erase(name);
   }
+  std::erase_if(rows, [](const auto& row) { return row.first.starts_with("/TABLE/"); });
   for (const auto& [name, cells] : rows) ADD_FAILURE() << "the file has no " << name;
   EXPECT_EQ(should, "") << "lines for the page:\n" << should;
 }
