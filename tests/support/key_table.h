@@ -7,15 +7,21 @@
 
 namespace gurney {
 
-/// Keys of the tables of a page of docs/formats: rows that start with "| `key`", below the heading
-/// `## section`, or of the whole page if `section` is empty.
+/// Keys of the tables of a page of docs/formats: rows that start with "| `key`" or "| `key`, `key`",
+/// below the heading `## section`, or of the whole page if `section` is empty.
 inline std::set<std::string> documented_keys(const std::string& page, const std::string& section) {
   std::ifstream in(page);
   std::set<std::string> keys;
   bool inside = section.empty();
   for (std::string line; std::getline(in, line);) {
     if (line.rfind("## ", 0) == 0) inside = section.empty() || line == "## " + section;
-    if (inside && line.rfind("| `", 0) == 0) keys.insert(line.substr(3, line.find('`', 3) - 3));
+    if (!inside || line.rfind("| `", 0) != 0) continue;
+    const std::string names = line.substr(0, line.find('|', 1));
+    for (std::size_t at = names.find('`'); at != names.npos; at = names.find('`', at + 1)) {
+      const std::size_t begin = at + 1;
+      at = names.find('`', begin);
+      keys.insert(names.substr(begin, at - begin));
+    }
   }
   return keys;
 }
