@@ -32,7 +32,12 @@ inline std::map<std::string, std::vector<std::string>> table_rows(const std::str
           cell += c;
       }
     }
-    if (cells.size() == 4) cells.insert(cells.begin() + 2, "row");  // a column of a table
+    if (cells.size() > 2) {  // a dataset
+      if (cells.size() == 3) cells.insert(cells.begin() + 1, "row");
+      const bool has_unit = cells[2].find("int") == cells[2].npos && cells[2] != "string";
+      cells.insert(cells.begin() + 1, has_unit ? "float64" : cells[2]);
+      if (!has_unit) cells[3] = "1";
+    }
     std::string name = cells[0].substr(0, cells[0].find(','));
     std::vector<std::string> values(cells.begin() + 1, cells.end());
     rows[name] = values;
@@ -75,8 +80,9 @@ inline void expect_as_on_page(const study::Hdf5Reader& file, const std::string& 
     if (!on_page && path.starts_with("/energy/")) stated[1] = cells[1];
     EXPECT_EQ(stated, cells) << dataset.path;
     if (stated != cells)
-      should += "| `" + dataset.path + "` | " + cells[0] + " | " + cells[1] + " | " + cells[2] +
-                " | " + std::regex_replace(cells[3], std::regex("\\|"), "\\|") + " |\n";
+      should += "| `" + dataset.path + "` | " + cells[1] + " | " +
+                (cells[0] == "float64" ? cells[2] : cells[0]) + " | " +
+                std::regex_replace(cells[3], std::regex("\\|"), "\\|") + " |\n";
     rows.erase(dataset.path);
   }
   for (const std::string& name : file.attributes()) {
