@@ -52,6 +52,8 @@ void read_coordinate(Quantities& in, bool slides, Uncertain<PartDescription>& pa
   place(keys.lower, Range::within(-1e6, 0), &Joint::lower);
   place(keys.upper, Range::not_negative(), &Joint::upper);
   place(keys.rest, Range::any(), &Joint::rest);
+  if (table.has(keys.rest) && !table.has(keys.stiffness))
+    table.note(keys.rest, fmt::format(": must go with {}", keys.stiffness));
   part.set(joint(&Joint::friction), in.number(keys.friction, Range::not_negative(), 0.0));
   const bool stops = table.has(keys.lower) || table.has(keys.upper);
   if (stops) {
@@ -89,14 +91,11 @@ void read_spring(Quantities& in, JointKind kind, Uncertain<PartDescription>& par
   part.set(joint(&Joint::damping), in.number(keys.damping, Range::not_negative(), 0.0));
 }
 
-Vector3 read_axis(Table& table, JointKind kind) {
+Vector3 axis_of_joint(Table& table, JointKind kind) {
   if (kind == JointKind::kFixed || kind == JointKind::kBall) return Vector3::UnitZ();
   std::optional<Vector3> usual;
   if (kind == JointKind::kFlexible) usual = Vector3::UnitZ();
-  const Vector3 axis = table.vector("axis", Range::any(), usual);
-  if (axis.norm() > 0) return axis.normalized();
-  if (table.has("axis")) table.note("axis", " = [0, 0, 0]: must have a length");
-  return Vector3::UnitZ();
+  return read_axis(table, usual);
 }
 
 /// A body's name, `item/NAME` in results; "chassis" is what others stand on.
@@ -109,6 +108,8 @@ std::string read_name(Table& table) {
 }
 
 }  // namespace
+
+const std::string& name_of(JointKind kind) { return kJointKinds[static_cast<std::size_t>(kind)]; }
 
 std::size_t read_carrier(Table& table, const std::string& key,
                          const std::vector<PartDescription>& parts) {
@@ -129,7 +130,7 @@ Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescript
   const auto kind = static_cast<JointKind>(table.choice("joint", kJointKinds));
   fixed.joint.kind = kind;
   fixed.joint.name = fixed.name;
-  fixed.joint.axis = read_axis(table, kind);
+  fixed.joint.axis = axis_of_joint(table, kind);
   fixed.material = table.text("material", "");
   Uncertain<PartDescription> part(std::move(fixed));
   Quantities in(table);

@@ -28,6 +28,9 @@ struct PartDescription {
   std::vector<MarkedPoint> marked_points;
 };
 
+/// As item files name it.
+const std::string& name_of(Joint::Kind kind);
+
 /// A loose body that stands on an item. Base axes.
 struct ContentDescription {
   std::string name;

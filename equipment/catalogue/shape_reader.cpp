@@ -116,13 +116,6 @@ Solids read_mesh_shape(Table& table) {
   return solids;
 }
 
-Vector3 read_axis(Table& table) {
-  const Vector3 axis = table.vector("axis", Range::any(), Vector3::UnitZ());
-  if (axis.norm() > 0) return axis.normalized();
-  table.note("axis", " = [0, 0, 0]: must have a length");
-  return Vector3::UnitZ();
-}
-
 /// A box, a cylinder or a sphere, whose sizes a draw may change.
 Uncertain<BodyShape> read_round_or_box(Quantities& in, const std::string& kind) {
   Uncertain<BodyShape> shape;
@@ -135,7 +128,8 @@ Uncertain<BodyShape> read_round_or_box(Quantities& in, const std::string& kind) 
         });
   } else {
     shape.add(
-        [axis = read_axis(in.table()), radius = in.length_mm("radius_mm", Range::positive()),
+        [axis = read_axis(in.table(), Vector3::UnitZ()),
+         radius = in.length_mm("radius_mm", Range::positive()),
          length = in.length_mm("length_mm", Range::positive())](BodyShape& of_draw, Sampler& of) {
           const double drawn = of(radius);
           of_draw = cylinder_shape(of_draw.center, {axis, drawn, of(length)});
@@ -145,6 +139,16 @@ Uncertain<BodyShape> read_round_or_box(Quantities& in, const std::string& kind) 
 }
 
 }  // namespace
+
+Vector3 read_axis(Table& table, const std::optional<Vector3>& usual) {
+  const std::size_t errors = table.document().errors();
+  const Vector3 axis = table.vector("axis", Range::any(), usual);
+  if (axis.norm() > 0) return axis.normalized();
+  if (table.document().errors() == errors)
+    table.note("axis", fmt::format(" = [{:g}, {:g}, {:g}]: must have a length", axis.x(), axis.y(),
+                                   axis.z()));
+  return Vector3::UnitZ();
+}
 
 bool is_round(Table& solid) {
   const std::string& kind = kSolidKinds[solid.choice("kind", kSolidKinds, 0)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace gurney::equipment {
 /// the table's document.
 /// @param placed  false: without its place, about the origin
 Uncertain<std::vector<BodyShape>> read_solid(config::Table& table, bool placed);
+
+/// The direction `axis`, of length 1.
+/// @param usual  without the key
+Vector3 read_axis(config::Table& table, const std::optional<Vector3>& usual);
 
 /// Whether a solid, or a table [[shape]] of `owner`, is one that rolls.
 bool is_round(config::Table& solid);

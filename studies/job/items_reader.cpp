@@ -107,6 +107,19 @@ std::optional<std::vector<std::string>> read_known(Table& item, const char* key,
   return names;
 }
 
+/// Names of the parts that are locked: a lock holds q, which hinges and sliders have.
+std::optional<std::vector<std::string>> read_locked(Table& item,
+                                                    const equipment::ItemDescription& description) {
+  const auto names = read_known(item, "locked_parts", description.parts, description);
+  for (const equipment::PartDescription& part : description.parts)
+    if (names && std::ranges::count(*names, part.name) > 0 &&
+        part.joint.kind != Joint::Kind::kHinge && part.joint.kind != Joint::Kind::kSlider)
+      item.note("locked_parts",
+                fmt::format(" = \"{}\": its joint is \"{}\"; must be \"hinge\" or \"slider\"",
+                            part.name, equipment::name_of(part.joint.kind)));
+  return names;
+}
+
 /// Notes keys that describe an item: they stand in its file.
 void note_keys_of_file(Table& item) {
   const std::vector<std::string> given = item.keys();
@@ -145,8 +158,7 @@ equipment::Uncertain<JobItem> read_job_item(Table& item, Remarks& remarks) {
     note_keys_of_casters(item, description);
   else
     read_caster_options(in, result, remarks);
-  result.add([counts = read_payloads(item, description),
-              locked = read_known(item, "locked_parts", description.parts, description),
+  result.add([counts = read_payloads(item, description), locked = read_locked(item, description),
               contents = read_known(item, "contents", description.contents, description)](
                  JobItem& of_draw, equipment::Sampler&) {
     of_draw.options.payloads = counts;

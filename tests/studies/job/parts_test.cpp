@@ -11,6 +11,7 @@ namespace gurney::study {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A job of one item on feet; lines of the job, of the item, and tables of the item follow.
 std::string job_with(const std::string& item, const std::string& tables) {
@@ -120,6 +121,12 @@ TEST(JobParts, AreChosenByTheJob) {
               HasSubstr("Desk has none of this name; did you mean 'drawer'?"));
 }
 
+TEST(JobParts, OnlyHingesAndSlidersAreLocked) {
+  EXPECT_THAT(errors_of_text(job_with("locked_parts = [\"bag\"]\n", kArm + kBag)),
+              HasSubstr(":6:16: item.locked_parts = \"bag\": its joint is \"ball\"; must be "
+                        "\"hinge\" or \"slider\""));
+}
+
 // I about the foot across the axis: 2 (0.1^2 / 6 + 0.6^2) of the mast, 2 (0.1^2 / 6 + 0.8^2 + 0.3^2 / 2) of the bag 0.3 m
 // beside it; they lift by 0.6 and 0.8 m.
 TEST(JobParts, FlexibleJointsHaveTheirFrequency) {
@@ -148,7 +155,12 @@ TEST(JobParts, RefuseWhatCannotBe) {
   EXPECT_THAT(errors(part("door", "[0, 0, 900]", "joint = \"hinge\"\n")),
               HasSubstr("axis: missing"));
   EXPECT_THAT(errors(part("door", "[0, 0, 900]", "joint = \"hinge\"\naxis = [0, 0, 0]\n")),
-              HasSubstr("must have a length"));
+              HasSubstr("axis = [0, 0, 0]: must have a length"));
+  EXPECT_THAT(errors(part("door", "[0, 0, 900]", "joint = \"hinge\"\naxis = [nan, 0, 0]\n")),
+              Not(HasSubstr("must have a length")));
+  EXPECT_THAT(
+      errors(part("door", "[0, 0, 900]", "joint = \"hinge\"\naxis = [0, 0, 1]\nrest_deg = 5\n")),
+      HasSubstr("rest_deg: must go with stiffness_n_m_per_rad"));
   EXPECT_THAT(errors(part("drawer", "[0, 0, 400]",
                           "joint = \"slider\"\naxis = [1, 0, 0]\nlower_mm = 10\n")),
               HasSubstr("lower_mm = 10: must be"));
