@@ -31,9 +31,10 @@ std::optional<Vector3> axis_of_roller(const EquipmentModel& model) {
 
 double horizontal(const Vector3& v) { return v.head<2>().norm(); }
 
-/// A body of an item with parts may be at rest while the others are not: its energies are then those
-/// of rounding. What would raise the whole item by a micrometre is nothing [J].
-double least_energy(const Assembly& assembly, std::size_t item) {
+/// A body of an item with parts may be at rest while the others are not, and the springs below one that
+/// stands on another are those of that: its energies are then those of rounding. What would raise the
+/// whole item by a micrometre is nothing [J].
+double least_energy(const Assembly& assembly, std::size_t item, bool on_another) {
   constexpr double kRise = 1e-6;  // [m]
   double mass = 0;
   std::size_t bodies = 0;
@@ -42,7 +43,7 @@ double least_energy(const Assembly& assembly, std::size_t item) {
     mass += assembly.items[i].total_mass;
     ++bodies;
   }
-  return bodies > 1 ? mass * assembly.gravity.norm() * kRise : 0;
+  return bodies > 1 || on_another ? mass * assembly.gravity.norm() * kRise : 0;
 }
 
 WheelMode mode_of(const CasterDynamics& caster, const TreadLaw::Result& tread, bool axle_slips) {
@@ -81,7 +82,8 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   current_.points.resize(points_.size());
   gravitational_start_ = energies_.at(start).gravitational;
   stored_start_ = complete(at_start, {}).stored();
-  sampled_ = checked_ = EnergyBalance(stored_start_, least_energy(assembly, item));
+  sampled_ = checked_ =
+      EnergyBalance(stored_start_, least_energy(assembly, item, scene.items[item].on.has_value()));
   current_.velocity =
       start.velocity.chassis.head<3>() + start.velocity.chassis.tail<3>().cross(rotation * origin_);
   current_.tilt = demands_.peak_tilt = lean_of(rotation);

@@ -246,6 +246,23 @@ TEST(Parts, RefusesWhatStandsOnlyUntilItIsTouched) {
   EXPECT_EQ(refused(Kind::kHinge, Vector3::UnitZ(), 0), "");
 }
 
+// Nothing moves, and the springs below the box are the desk's: its energies are rounding, and no error.
+TEST(Parts, ContentsAtRestAreNoErrorOfTheEnergy) {
+  Scene scene = blocks::block(50, {0.6, 0.5, 0.8}, {});
+  scene.items[0].name = "desk";
+  scene.pairs.clear();
+  scene.items.push_back(body("drawer", 5, {0, 0, 0.7}, 0.1));
+  scene.items.push_back(body("box", 5, {0, 0, 0.125}, 0.25));
+  for (PlacedItem& item : scene.items) item.model.material = "";
+  scene.floor_material = "";
+  scene.joints = {joint(Kind::kSlider, 0, 1, {0, 0, 0.7}, Vector3::UnitX())};
+  scene.joints[0].latch = 15;
+  scene.items[2].on = Support{Support::Kind::kItem, 0, 0.8};
+  const Response r = simulate(scene, {}, blocks::run_for(5, 0.004, 0.02));
+  EXPECT_EQ(r.outcome, Outcome::kStopped) << r.cause;
+  EXPECT_LT(r.quality.energy_closure, 1e-6);
+}
+
 TEST(Parts, RefusesWhatFallsToOneSideOrUnderWhatItCarries) {
   const auto refused = [](const Scene& scene) {
     try {
