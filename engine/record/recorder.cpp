@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/solver/equilibrium.h"
 #include "engine/solver/quadrature.h"
 
 namespace gurney {
@@ -72,6 +73,19 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
     point_starts_.push_back(start.position + rotation * points_.back());
   }
   origin_start_ = start.position + rotation * origin_;
+  const std::optional<Support>& on = scene.items[item].on;
+  const bool on_part = on && on->kind == Support::Kind::kItem && assembly.is_part(on->index);
+  if (assembly.is_part(item) || on_part) {
+    const auto settled = [&](std::size_t i) -> Vector3 {
+      const Vector3& center = assembly.items[i].chassis.center_of_mass;
+      const State placed = placed_above(assembly, scene, i), &now = at_start.items[i];
+      return now.position - now.rotation * center - placed.position + placed.rotation * center;
+    };
+    if (!on_part) tracked_ = mechanism.chassis.center_of_mass;
+    settled_ =
+        settled(item) - settled(assembly.roots[on_part ? on->index : item]) + rotation * tracked_;
+    current_.to_origin = settled_ - rotation * tracked_;
+  }
   roller_ = axis_of_roller(model);
   heading_ = heading_of(roller_);
   yaw_start_ = yaw_ = yaw_of(rotation);
@@ -130,6 +144,7 @@ void Recorder::observe(const Stepper::Step& step, const ImpactLog::Kinds& impact
   const Vector3 before = current_.displacement;
   current_.time = to.time;
   current_.displacement = to.position + r - origin_start_;
+  current_.to_origin = settled_ - rotation * tracked_;
   current_.velocity = v + w.cross(r);
   current_.acceleration = a.head<3>() + a.tail<3>().cross(r) + w.cross(w.cross(r));
   // An item on its side has no heading.
@@ -300,6 +315,7 @@ void Recorder::finish(const SceneState& state, const EnergyAccount& account, dou
   }
   item.energy = complete(state, account);
   item.stored_energy_at_start = stored_start_;
+  item.tracked = tracked_;
   item.history = std::move(history_);
   Quality& q = response.quality;
   q.energy_closure = std::max(q.energy_closure, sampled_.closure());

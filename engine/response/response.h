@@ -50,10 +50,12 @@ struct PointSample {
 };
 
 /// The item at one time. `displacement` and `velocity` are those of the item's origin (on the floor
-/// below its middle), relative to the floor.
+/// below its middle), of a part those of its centre of mass, relative to the floor.
 struct Sample {
   double time = 0;
   Vector3 displacement = Vector3::Zero();
+  /// Of a part: from there to where the displacement of its origin, since it was placed, ends [m].
+  Vector3 to_origin = Vector3::Zero();
   Vector3 velocity = Vector3::Zero();
   Vector3 acceleration = Vector3::Zero();  ///< relative to the floor [m/s2]
   double yaw = 0;                          ///< since the start, not wrapped [rad]
@@ -64,6 +66,9 @@ struct Sample {
   std::array<WheelSample, EquipmentModel::kMaxCasters> wheels{};
   std::vector<PointSample> points;  ///< one for each marked point
   EnergyAccount energy;
+
+  /// Of the item's origin, from where it was placed; what the whole item settles left out.
+  Vector3 origin_displacement() const { return displacement + to_origin; }
 };
 
 /// Response of one item.
@@ -71,6 +76,8 @@ struct ItemResponse {
   Demands demands;
   EnergyAccount energy;  ///< at the end
   double stored_energy_at_start = 0;
+  /// The point whose displacement its histories have, in item axes: zero, of a part its centre of mass.
+  Vector3 tracked = Vector3::Zero();
   std::vector<Sample> history;  ///< every `history_step`, the start and the end included
   std::optional<Predictability> predictability;  ///< of single runs whose twin was run
 };

@@ -72,8 +72,8 @@ std::vector<Polygon> footprint(const PlacedItem& item, const Sample& sample) {
   const Vector3 start(item.initial.position.x(), item.initial.position.y(), 0);
   std::vector<Polygon> result;
   for (const BodyShape& shape : item.model.shape)
-    result.push_back(
-        from_above(outline_points(shape), start + sample.displacement, sample.orientation));
+    result.push_back(from_above(outline_points(shape), start + sample.origin_displacement(),
+                                sample.orientation));
   return result;
 }
 

@@ -42,7 +42,7 @@ bool stands(const Sample& sample) { return sample.tilt < kStanding; }
 
 Vector2 at(const PlacedItem& item, const Sample& sample, const Vector3& point) {
   const Vector3 start(item.initial.position.x(), item.initial.position.y(), 0);
-  return (start + sample.displacement + sample.orientation * point).head<2>();
+  return (start + sample.origin_displacement() + sample.orientation * point).head<2>();
 }
 
 /// The wheel of a caster from above: its middle and its ends along the rolling direction.

@@ -253,11 +253,13 @@ void read_shapes(const Hdf5Reader& file, RecordedRun& run) {
     require(
         item != run.items.end(),
         fmt::format("{}: /shapes names the item '{}', /histories does not", file.path(), items[i]));
-    if (bodies[i] == "chassis")
+    const Vector3 pivot(pivots[3 * i], pivots[3 * i + 1], pivots[3 * i + 2]);
+    if (bodies[i] == "chassis") {
       item->boxes.push_back(std::move(shape));
-    else
-      item->wheels.push_back(
-          wheel_of(shape, Vector3(pivots[3 * i], pivots[3 * i + 1], pivots[3 * i + 2])));
+      item->origin = pivot;
+    } else {
+      item->wheels.push_back(wheel_of(shape, pivot));
+    }
   }
 }
 
@@ -270,8 +272,10 @@ void read_bodies(const Hdf5Reader& file, RecordedRun& run) {
   for (std::size_t i = 0; i < items; ++i) {
     RecordedItem& item = run.items[i];
     item.position = displacement.vectors(i);
-    for (Vector3& p : item.position) p += Vector3(start[3 * i], start[3 * i + 1], start[3 * i + 2]);
     item.orientation = orientation.quaternions(i);
+    for (std::size_t k = 0; k < samples; ++k)
+      item.position[k] += Vector3(start[3 * i], start[3 * i + 1], start[3 * i + 2]) +
+                          item.orientation[k] * item.origin;
   }
 }
 

@@ -29,7 +29,8 @@ struct RecordedItem {
   std::string name, model;
   std::vector<RecordedShape> boxes;  ///< item axes
   std::vector<RecordedWheel> wheels;
-  std::vector<Vector3> position;        ///< of its origin, floor axes [m]
+  Vector3 origin = Vector3::Zero();  ///< from the point whose displacement is stored, item axes [m]
+  std::vector<Vector3> position;     ///< of its origin, floor axes [m]
   std::vector<Quaternion> orientation;  ///< item axes in floor axes
 };
 

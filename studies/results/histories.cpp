@@ -74,7 +74,8 @@ constexpr int kSides = 16;  ///< of what is round
 
 struct Shape {
   std::string item, body, kind;
-  Vector3 pivot = Vector3::Zero();  ///< origin of its axes, in item axes; of the room: 0
+  /// Origin of its axes from the point whose displacement is stored, in item axes; of the room: 0.
+  Vector3 pivot = Vector3::Zero();
   std::vector<Vector3> points;
 };
 
@@ -115,10 +116,12 @@ std::vector<Vector3> points_of(const BodyShape& shape) {
   return outline_points(shape);
 }
 
-std::vector<Shape> shapes_of(const PlacedItem& item, const std::string& name) {
+std::vector<Shape> shapes_of(const PlacedItem& item, const std::string& name,
+                             const Vector3& tracked) {
   std::vector<Shape> shapes;
   for (const BodyShape& shape : item.model.shape)
-    shapes.push_back({name, "chassis", kind_of(shape), Vector3::Zero(), points_of(shape)});
+    shapes.push_back(
+        {name, "chassis", kind_of(shape), Vector3::Zero() - tracked, points_of(shape)});
   const std::vector<std::string> casters = caster_names(item.model);
   for (std::size_t i = 0; i < casters.size(); ++i) {
     const Caster& caster = item.model.casters[i];
@@ -149,11 +152,12 @@ Shape shape_of(const RoomShape& room) {
 
 }  // namespace
 
-void add_shapes(Hdf5Writer& file, const Scene& scene) {
+void add_shapes(Hdf5Writer& file, const Scene& scene, const Response& response) {
   std::vector<Shape> shapes;
   const std::vector<std::string> names = item_names(scene);
   for (std::size_t i = 0; i < names.size(); ++i)
-    for (Shape& shape : shapes_of(scene.items[i], names[i])) shapes.push_back(std::move(shape));
+    for (Shape& shape : shapes_of(scene.items[i], names[i], response.items[i].tracked))
+      shapes.push_back(std::move(shape));
   for (const RoomShape& room : scene.room) shapes.push_back(shape_of(room));
 
   std::vector<std::int64_t> rows, first, count, vertices;
@@ -186,7 +190,9 @@ void add_shapes(Hdf5Writer& file, const Scene& scene) {
   file.add({"/shapes/count", "1", "number of its points", shape}, count);
   file.add({"/shapes/pivot",
             "m",
-            "origin of the body's axes, in item axes",
+            "origin of the body's axes, in item axes, from the item's origin, of a part from its "
+            "centre of "
+            "mass",
             {"/shapes/shape", "/shapes/axis"}},
            pivots);
   file.add(
@@ -234,12 +240,16 @@ void add_body_histories(Hdf5Writer& file, const Items& items) {
              values);
   };
   add_vector("displacement", "m",
-             "displacement of the item's origin relative to the floor since the start",
+             "displacement of the item's origin, of a part its centre of mass, relative to the "
+             "floor since the start",
              &Sample::displacement);
-  add_vector("velocity", "m/s", "velocity of the item's origin relative to the floor",
+  add_vector("velocity", "m/s",
+             "velocity of the item's origin, of a part its centre of mass, relative to the floor",
              &Sample::velocity);
-  add_vector("acceleration", "m/s2", "acceleration of the item's origin relative to the floor",
-             &Sample::acceleration);
+  add_vector(
+      "acceleration", "m/s2",
+      "acceleration of the item's origin, of a part its centre of mass, relative to the floor",
+      &Sample::acceleration);
   std::vector<Sample> samples;
   std::vector<EnergyAccount> energy;
   std::vector<double> orientation;
@@ -321,13 +331,21 @@ void add_histories(Hdf5Writer& file, const RunFacts& facts, const Response& resp
   std::vector<double> starts;
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const auto& position = scene.items[i].initial.position;
-    append(starts, Vector3(position.x(), position.y(), height_at_start(scene, i)));
+    Vector3 start(position.x(), position.y(), height_at_start(scene, i));
+    const ItemResponse& item = response.items[i];
+    if (!item.history.empty()) {
+      const Sample& first = item.history.front();
+      start += first.to_origin + first.orientation * item.tracked;
+    }
+    append(starts, start);
   }
-  file.add({"/histories/start",
-            "m",
-            "where the item's origin is at the start, before it settles on what it stands on",
-            {"/histories/item", "/histories/axis"}},
-           starts);
+  file.add(
+      {"/histories/start",
+       "m",
+       "where the item's origin, of a part its centre of mass, is at the start, less what the item "
+       "settles on what it stands on",
+       {"/histories/item", "/histories/axis"}},
+      starts);
   file.add({"/histories/offset", "1", "first sample of the run", {"/histories/run"}},
            std::vector<std::int64_t>{0});
   file.add({"/histories/count", "1", "number of samples of the run", {"/histories/run"}},

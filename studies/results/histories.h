@@ -46,7 +46,7 @@ void add_floor_histories(Hdf5Writer& file, const FloorMotion& floor,
 /// Adds /shapes: what items and room look like, for pictures of the histories. A shape is convex
 /// and given by its points in the axes of its body: of a chassis item axes, of a caster fork axes
 /// (engine/scene/equipment_model.h), of the room floor axes.
-void add_shapes(Hdf5Writer& file, const Scene& scene);
+void add_shapes(Hdf5Writer& file, const Scene& scene, const Response& response);
 
 /// The group /histories: samples of all items and of the floor at common times.
 void add_histories(Hdf5Writer& file, const RunFacts& facts, const Response& response);

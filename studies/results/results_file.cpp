@@ -338,7 +338,7 @@ std::string results_image(const RunFacts& facts, const Response& response) {
   add_root(file, facts);
   add_runs(file, facts, response);
   add_tables(file, facts.scene, response);
-  add_shapes(file, facts.scene);
+  add_shapes(file, facts.scene, response);
   add_histories(file, facts, response);
   add_assumptions(file, facts.assumptions);
   if (facts.draw) add_drawn(file, facts.drawn);

@@ -141,14 +141,14 @@ void visit(A& a, PointSample& p) {
 
 template <class A>
 void visit(A& a, Sample& s) {
-  a(s.time, s.displacement, s.velocity, s.acceleration, s.yaw, s.tilt, s.orientation,
+  a(s.time, s.displacement, s.to_origin, s.velocity, s.acceleration, s.yaw, s.tilt, s.orientation,
     s.cable_tension, s.pull_force, s.points, s.energy);
   for (WheelSample& wheel : s.wheels) a(wheel);
 }
 
 template <class A>
 void visit(A& a, ItemResponse& item) {
-  a(item.demands, item.energy, item.stored_energy_at_start, item.history);
+  a(item.demands, item.energy, item.stored_energy_at_start, item.tracked, item.history);
 }
 
 template <class A>

@@ -8,6 +8,7 @@
 #include "studies/results/results_file.h"
 #include "tests/studies/playback/base64_bytes.h"
 #include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_ward.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::playback {
@@ -101,6 +102,33 @@ TEST_F(Gltf, MovesAsTheFile) {
     ASSERT_NEAR(2 * std::atan2(turns[4 * i + 2], turns[4 * i + 3]), history_[i].yaw, 3e-7);
     ASSERT_NEAR(fork[4 * i + 3], std::cos(history_[i].wheels[1].swivel_angle / 2), 6e-8);
   }
+}
+
+// The file has the displacement of a part's centre of mass: its origin, which its shapes are drawn from, is elsewhere as it
+// turns and where it had settled.
+TEST(RecordedRun, HasTheOriginsOfParts) {
+  study::RunFacts facts = synthetic_ward();
+  Response response = synthetic_ward_response();
+  ASSERT_GE(facts.scene.items.size(), 2U);
+  Joint& joint = facts.scene.joints.emplace_back();
+  joint.part = 1;
+  joint.kind = Joint::Kind::kBall;
+  facts.scene.items[1].initial = facts.scene.items[0].initial;
+  ItemResponse& part = response.items[1];
+  part.tracked = {0.3, -0.1, 0.9};
+  const Vector3 settled(0.4, 0, 0.7);
+  for (Sample& sample : part.history) {
+    sample.orientation = Eigen::AngleAxisd(0.5 + 0.1 * sample.time, Vector3(1, 2, 2) / 3);
+    sample.to_origin = settled - sample.orientation * part.tracked;
+  }
+  const TempFolder folder;
+  const RecordedRun run =
+      read_recorded_run(folder.write("run.h5", study::results_image(facts, response)));
+  const Vector3 placed = facts.scene.items[1].initial.position;
+  ASSERT_EQ(run.items[1].position.size(), part.history.size());
+  for (std::size_t i = 0; i < part.history.size(); ++i)
+    EXPECT_LT((run.items[1].position[i] - placed - part.history[i].origin_displacement()).norm(),
+              1e-12);
 }
 
 }  // namespace

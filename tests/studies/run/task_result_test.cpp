@@ -37,16 +37,16 @@ auto members(PointSample& s) {
   return std::tie(a, b, c);
 }
 auto members(Sample& s) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = s;
+  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
 auto members(Quality& s) {
   auto& [a, b, c, d, e, f, g, h, i, j, k, l] = s;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 auto members(ItemResponse& s) {
-  auto& [a, b, c, d, of_single_runs] = s;
-  return std::tie(a, b, c, d);
+  auto& [a, b, c, d, e, of_single_runs] = s;
+  return std::tie(a, b, c, d, e);
 }
 auto members(Impact& s) {
   auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = s;
