@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/base/error.h"
@@ -27,17 +29,11 @@ constexpr double kPseudoStep = 0.02;  // [s]; long against every period of the t
 constexpr int kMaxPseudoSteps = 3000;
 constexpr double kNearFloor = 0.02;    // [m]; points above do not stand on it
 constexpr double kRestMotion = 1e-12;  // [m] in one pseudo step
-constexpr double kPush = 1e-3;         // [rad] in the first pseudo step
-constexpr double kStablePush = 3e-3;  // [rad]; what is stable comes back, what is indifferent stays
-constexpr double kPushStep = 0.05;    // [s]
-constexpr int kPushSteps = 400;
+constexpr double kFastestFall = 1;     // [1/s^2]; what falls as exp(t) or slower counts as resting
 
 /// Implicit Euler steps that start from rest each time: M / tau^2 regularises Newton's method on
 /// the static problem, and the fixed point is an equilibrium.
-/// @param stop  ends them, asked after each
-template <class Stop>
-bool relax(const Assembly& standing, double pseudo_step, int most, SceneState& scene,
-           const Stop& stop) {
+bool relax(const Assembly& standing, SceneState& scene) {
   StageSolver solver(standing, {1e-10, 200});
   StageSolver::Output out;
   StageSolver::Input input;
@@ -45,11 +41,11 @@ bool relax(const Assembly& standing, double pseudo_step, int most, SceneState& s
   for (std::size_t i = 0; i < standing.items.size(); ++i) all.items.push_back(i);
   for (std::size_t j = 0; j < standing.joints.size(); ++j) all.joints.push_back(j);
   const double time = scene.items.front().time;
-  input.tau = pseudo_step;
+  input.tau = kPseudoStep;
   input.island = &all;
   input.loads = {input.tau, time, time + input.tau, true, nullptr};
   input.guess.resize(standing.items.size());
-  for (int i = 0; i < most; ++i) {
+  for (int i = 0; i < kMaxPseudoSteps; ++i) {
     input.start = &scene;
     if (!solver.solve(input, out) && !(out.residual < 1e-6)) return false;
     scene = out.end;
@@ -63,15 +59,15 @@ bool relax(const Assembly& standing, double pseudo_step, int most, SceneState& s
       state.velocity = Velocity();
     }
     if (!(motion < 1e3)) return false;
-    if (motion * pseudo_step < kRestMotion || stop()) return true;
+    if (motion * kPseudoStep < kRestMotion) return true;
   }
   return false;
 }
 
-/// Likewise, with what follows where a latch would bear more than it holds: it is open.
+/// Does as relax(), again with the latches open that would bear more than they hold, until none does.
 bool come_to_rest(const Assembly& standing, SceneState& scene) {
   for (;;) {
-    const bool rests = relax(standing, kPseudoStep, kMaxPseudoSteps, scene, [] { return false; });
+    const bool rests = relax(standing, scene);
     bool opened = false;
     for (std::size_t j = 0; j < standing.joints.size(); ++j) {
       JointState& joint = scene.joints[j];
@@ -83,54 +79,104 @@ bool come_to_rest(const Assembly& standing, SceneState& scene) {
   }
 }
 
-/// How far the joint has turned once it and all that hangs on it were pushed by `angle` about `about`.
-double turned_by_push(const Assembly& standing, const SceneState& rest, std::size_t j,
-                      const Vector3& about, double angle) {
-  const Joint& joint = standing.joints[j].joint();
-  SceneState pushed = rest;
-  const State& part = rest.items[joint.part];
-  const Vector3 spin = angle / kPushStep * (part.rotation * about);
-  const auto place_in = [](const State& body, const Vector3& local) -> Vector3 {
-    return body.position + body.rotation * local;
-  };
-  const Vector3 point =
-      place_in(part, joint.point - standing.items[joint.part].chassis.center_of_mass);
-  std::vector<bool> moves(rest.items.size(), false);
-  moves[joint.part] = true;
-  for (const JointLaw& each : standing.joints)  // bases come before their parts
-    if (moves[each.joint().base]) moves[each.joint().part] = true;
-  for (std::size_t i = 0; i < moves.size(); ++i)
-    if (moves[i])
-      pushed.items[i].velocity.chassis << spin.cross(rest.items[i].position - point), spin;
-  const auto bend = [&](const SceneState& scene) {
-    return scene.items[joint.base].rotation.conjugate() * scene.items[joint.part].rotation;
-  };
-  double turned = 0;
-  relax(standing, kPushStep, kPushSteps, pushed, [&] {
-    turned = bend(rest).angularDistance(bend(pushed));
-    return turned > kStablePush || turned < kPush / 2;
-  });
-  return turned;
+/// A way in which a joint at rest can move by itself; floor axes.
+struct FreeDirection {
+  std::size_t joint = 0;
+  Vector3 axis;
+  bool turns = true;  ///< about the axis through `point`; false: along it
+  Vector3 point;
+  double stiffness = 0;     ///< of the joint's spring
+  std::vector<bool> moves;  ///< bodies that it takes along
+
+  /// Motion of a point by a unit of it.
+  Vector3 at(const Vector3& there) const {
+    return turns ? Vector3(axis.cross(there - point)) : axis;
+  }
+};
+
+/// Whether friction, a latch or a stop against which it rests holds a joint against a small push.
+bool is_held(const Joint& joint, const JointState& state) {
+  constexpr double kRestsOn = 1e-7;  // [m], [rad]; a stop that is only met yields by rounding
+  return joint.kind == Joint::Kind::kFixed || state.latched || joint.friction > 0 ||
+         state.coordinate < joint.lower - kRestsOn || state.coordinate > joint.upper + kRestsOn;
 }
 
-/// The joint of a part that leaves its rest by itself once it is pushed to either side, as a mast does that is
-/// too soft for what it carries and stands exactly upright. An angle that grows as exp(w t) grows by w^2 tau^2
-/// in a pseudo step tau, one that swings falls so: 400 of 0.05 s tell w > 1.1 rad/s. A damper that lets it
-/// fall more slowly hides it.
-std::optional<std::size_t> unstable_joint(const Assembly& standing, const SceneState& rest) {
+std::vector<FreeDirection> free_directions(const Assembly& standing, const SceneState& rest) {
+  std::vector<FreeDirection> all;
   for (std::size_t j = 0; j < standing.joints.size(); ++j) {
     const Joint& joint = standing.joints[j].joint();
-    if (joint.kind == Joint::Kind::kFixed || joint.kind == Joint::Kind::kSlider ||
-        rest.joints[j].latched)
-      continue;
-    const Vector3 across = joint.axis.unitOrthogonal();
-    Vector3 about = joint.axis;
-    if (joint.kind != Joint::Kind::kHinge)  // in no direction of symmetry
-      about = (across + 0.7 * joint.axis.cross(across)).normalized();
-    for (const double angle : {kPush, -kPush})
-      if (turned_by_push(standing, rest, j, about, angle) > kStablePush) return j;
+    if (is_held(joint, rest.joints[j])) continue;
+    const State& base = rest.items[joint.base];
+    FreeDirection way;
+    way.joint = j;
+    way.turns = joint.kind != Joint::Kind::kSlider;
+    way.point = base.position +
+                base.rotation * (joint.point - standing.items[joint.base].chassis.center_of_mass);
+    way.stiffness = joint.stiffness;
+    way.moves.assign(rest.items.size(), false);
+    way.moves[joint.part] = true;
+    for (const JointLaw& each : standing.joints)  // bases come before their parts
+      if (way.moves[each.joint().base]) way.moves[each.joint().part] = true;
+    const Vector3 axis = base.rotation * joint.axis, across = axis.unitOrthogonal();
+    const auto add = [&](const Vector3& direction) {
+      way.axis = direction;
+      all.push_back(way);
+    };
+    const bool bends = joint.kind == Joint::Kind::kFlexible || joint.kind == Joint::Kind::kBall;
+    if (joint.kind != Joint::Kind::kFlexible) add(axis);
+    if (!bends) continue;
+    add(across);
+    add(axis.cross(across));
   }
-  return {};
+  return all;
+}
+
+/// The joint of a part that leaves its rest by itself once it is touched, as a mast does that is too soft for
+/// what it carries and stands exactly upright. With the rates d_i(c) of a point c by the free directions i, of
+/// which j moves no more than i does, weights w and masses m = w / g of all bodies and of what stands on them,
+///
+///     H_ij = sum w z . (a_i x d_j) + k_i,   M_ij = sum m d_i . d_j + a_i . I a_j,
+///
+/// the second derivatives of the potential and the mass matrix at rest: H v = lambda M v with lambda < 0 falls as
+/// exp(sqrt(-lambda) t). The item itself keeps its pose.
+std::optional<std::size_t> unstable_joint(const Assembly& standing, const Scene& level,
+                                          const SceneState& rest) {
+  const std::vector<FreeDirection> ways = free_directions(standing, rest);
+  const auto count = static_cast<Eigen::Index>(ways.size());
+  if (count == 0) return {};
+  Eigen::MatrixXd potential = Eigen::MatrixXd::Zero(count, count), mass = potential;
+  const auto add = [&](std::size_t body, const Vector3& there, double weight,
+                       const Matrix3& inertia) {
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index j = i; j < count; ++j) {
+        const FreeDirection &outer = ways[static_cast<std::size_t>(i)],
+                            &inner = ways[static_cast<std::size_t>(j)];
+        if (!outer.moves[body] || !inner.moves[body]) continue;
+        const Vector3 by_inner = inner.at(there);
+        if (outer.turns) potential(i, j) += weight * outer.axis.cross(by_inner).z();
+        mass(i, j) += weight / level.gravity * outer.at(there).dot(by_inner);
+        if (outer.turns && inner.turns) mass(i, j) += outer.axis.dot(inertia * inner.axis);
+      }
+  };
+  for (std::size_t k = 1; k < level.items.size(); ++k) {
+    const State& body = rest.items[k];
+    const MassProperties& chassis = standing.items[k].chassis;
+    const Matrix3 rotation = body.rotation.toRotationMatrix();
+    add(k, body.position, standing.items[k].total_mass * level.gravity,
+        rotation * chassis.inertia * rotation.transpose());
+    for (const Load& load : level.items[k].loads)
+      if (const auto* carried = std::get_if<PointForce>(&load))
+        add(k, body.position + rotation * (carried->point - chassis.center_of_mass),
+            carried->force.front(), Matrix3::Zero());
+  }
+  for (Eigen::Index i = 0; i < count; ++i)
+    potential(i, i) += ways[static_cast<std::size_t>(i)].stiffness;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      potential.selfadjointView<Eigen::Upper>(), mass.selfadjointView<Eigen::Upper>());
+  if (!(modes.eigenvalues()[0] < -kFastestFall)) return {};
+  Eigen::Index most = 0;
+  (modes.eigenvectors().col(0).array().square() * mass.diagonal().array()).maxCoeff(&most);
+  return ways[static_cast<std::size_t>(most)].joint;
 }
 
 /// The item's contact with the floor has the constants of what it stands on, no damping here, and
@@ -297,7 +343,7 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   if (!stands || !rests)
     refuse(on_casters ? "stand on its casters: its centre of mass lies outside their support"
                       : "stand on its base: its centre of mass lies outside it");
-  if (const auto joint = unstable_joint(standing, settled))
+  if (const auto joint = unstable_joint(standing, level, settled))
     refuse(
         fmt::format("come to rest: its part '{}' stands upright and falls from there once it is "
                     "touched; a stiffer joint, friction, a latch or a lock would hold it",

@@ -50,17 +50,32 @@ void SlipReversals::collect_treads(std::size_t item, const State& state, const C
 void SlipReversals::collect_contact(const Island& island, const BodyContactState& memory,
                                     const SceneState& state, const std::vector<Course>& courses) {
   const BodyContact& contact = memory.contact;
-  const BodyContact::Side& side = contact.side;
-  if (!memory.sliding || contact.between_items() || side.caster >= 0 || !courses[side.item].known)
-    return;
+  const BodyContact::Side &side = contact.side, &other = contact.other_side;
+  const bool two = contact.between_items();
+  if (!memory.sliding || side.caster >= 0 || !courses[side.item].known) return;
+  if (two && (other.caster >= 0 || !courses[other.item].known)) return;
+  double mass = assembly_.items[side.item].total_mass;
+  if (two) mass = std::min(mass, assembly_.items[other.item].total_mass);
   const double stiffness = assembly_.laws.of(contact).tangential_stiffness() *
                            static_cast<double>(island.end_contact - island.first_contact);
-  if (assembly_.items[side.item].total_mass >= stiffness * time_step_ * time_step_) return;
-  const Vector6& a = courses[side.item].acceleration.chassis;
+  if (mass >= stiffness * time_step_ * time_step_) return;
+  const auto acceleration_of = [&](const BodyContact::Side& at) -> Vector3 {
+    const Vector6& a = courses[at.item].acceleration.chassis;
+    const Vector3 point = assembly_.items[at.item].point(at, state.items[at.item]);
+    return a.head<3>() + a.tail<3>().cross(point);
+  };
+  const Vector3& floor = courses[side.item].floor_acceleration;
+  Vector3 acceleration = acceleration_of(side);
+  double left_behind = 1;  // share of the floor's acceleration that the slip feels
+  if (two) {
+    const Vector3 of_other = acceleration_of(other);
+    const auto slides = [&](const Vector3& a) { return a.norm() < 0.5 * floor.norm() ? 0.0 : 1.0; };
+    left_behind = slides(acceleration) - slides(of_other);
+    acceleration -= of_other;
+  }
   const Matrix3 tangents = Matrix3::Identity() - contact.normal * contact.normal.transpose();
-  const Vector3 acceleration = a.head<3>() + a.tail<3>().cross(assembly_.point(contact, state));
   slips_.push_back({tangents * assembly_.velocity(contact, state), tangents * acceleration,
-                    tangents, courses[side.item].floor_acceleration});
+                    left_behind * tangents, floor});
 }
 
 void SlipReversals::collect(const Island& island, const SceneState& state,

@@ -55,7 +55,18 @@ void read_coordinate(Quantities& in, bool slides, Uncertain<PartDescription>& pa
   if (table.has(keys.rest) && !table.has(keys.stiffness))
     table.note(keys.rest, fmt::format(": must go with {}", keys.stiffness));
   part.set(joint(&Joint::friction), in.number(keys.friction, Range::not_negative(), 0.0));
+  if (part.stated().joint.lower == 0 && part.stated().joint.upper == 0)
+    table.note(keys.upper,
+               fmt::format(
+                   " = 0: leaves no way between the stops, as {} = 0; a part that does not move is "
+                   "\"fixed\", or locked",
+                   keys.lower));
   const bool stops = table.has(keys.lower) || table.has(keys.upper);
+  for (const char* key : {keys.stop_stiffness, "stop_restitution"})
+    if (!stops && table.has(key)) {
+      table.note(key, fmt::format(": must go with {} or {}", keys.lower, keys.upper));
+      table.set_aside(key);
+    }
   if (stops) {
     part.set(joint(&Joint::stop_stiffness),
              in.number(keys.stop_stiffness, Range::positive(),
@@ -65,8 +76,8 @@ void read_coordinate(Quantities& in, bool slides, Uncertain<PartDescription>& pa
   }
   part.set(joint(&Joint::latch), in.number(keys.latch, Range::not_negative(), 0.0));
   const bool catches = table.boolean("relatches", false);
-  if (catches && !table.has(keys.latch))
-    table.note("relatches", fmt::format(": must go with {}", keys.latch));
+  if (catches && !(part.stated().joint.latch > 0))
+    table.note("relatches", fmt::format(": must go with {} > 0", keys.latch));
   part.add([catches, locked = table.boolean("locked", false)](PartDescription& of_draw, Sampler&) {
     of_draw.joint.relatches = catches;
     of_draw.locked = locked;

@@ -100,10 +100,12 @@ std::optional<std::vector<std::string>> read_known(Table& item, const char* key,
   std::vector<std::string> known;
   for (const Part& part : parts) known.push_back(part.name);
   std::vector<std::string> names = item.texts(key, true);
-  for (const std::string& name : names)
-    if (std::ranges::find(known, name) == known.end())
-      item.note(key, fmt::format(" = \"{}\": {} has none of this name{}", name, description.name,
-                                 config::suggestion(name, known)));
+  for (auto name = names.begin(); name != names.end(); ++name)
+    if (std::ranges::find(known, *name) == known.end())
+      item.note(key, fmt::format(" = \"{}\": {} has none of this name{}", *name, description.name,
+                                 config::suggestion(*name, known)));
+    else if (std::find(names.begin(), name, *name) != name)
+      item.note(key, fmt::format(" = \"{}\": stands twice", *name));
   return names;
 }
 

@@ -125,6 +125,8 @@ TEST(JobParts, OnlyHingesAndSlidersAreLocked) {
   EXPECT_THAT(errors_of_text(job_with("locked_parts = [\"bag\"]\n", kArm + kBag)),
               HasSubstr(":6:16: item.locked_parts = \"bag\": its joint is \"ball\"; must be "
                         "\"hinge\" or \"slider\""));
+  EXPECT_THAT(errors_of_text(job_with("locked_parts = [\"arm\", \"arm\"]\n", kArm)),
+              HasSubstr("item.locked_parts = \"arm\": stands twice"));
 }
 
 // I about the foot across the axis: 2 (0.1^2 / 6 + 0.6^2) of the mast, 2 (0.1^2 / 6 + 0.8^2 + 0.3^2 / 2) of the bag 0.3 m
@@ -169,7 +171,12 @@ TEST(JobParts, RefuseWhatCannotBe) {
               HasSubstr("friction_n_m: unknown key; did you mean 'friction_n'?"));
   EXPECT_THAT(errors(part("drawer", "[0, 0, 400]",
                           "joint = \"slider\"\naxis = [1, 0, 0]\nrelatches = true\n")),
-              HasSubstr("relatches: must go with latch_n"));
+              HasSubstr("relatches: must go with latch_n > 0"));
+  const std::string drawer = "joint = \"slider\"\naxis = [1, 0, 0]\n";
+  EXPECT_THAT(errors(part("drawer", "[0, 0, 400]", drawer + "lower_mm = 0\nupper_mm = 0\n")),
+              HasSubstr("upper_mm = 0: leaves no way between the stops, as lower_mm = 0"));
+  EXPECT_THAT(errors(part("drawer", "[0, 0, 400]", drawer + "stop_restitution = 0.5\n")),
+              HasSubstr("stop_restitution: must go with lower_mm or upper_mm"));
   EXPECT_THAT(errors(part("mast", "[0, 0, 900]", "joint = \"flexible\"\n")),
               HasSubstr("frequency_hz: must be given, or stiffness_n_m_per_rad, not both"));
   EXPECT_THAT(errors(kDrawer + kDrawer), HasSubstr("must differ from the name of part[0]"));
