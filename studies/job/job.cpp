@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,11 +14,13 @@
 #include "engine/base/units.h"
 #include "engine/config/table.h"
 #include "engine/run/overlaps.h"
+#include "engine/scene/equipment_model.h"
 #include "engine/scene/perturbed.h"
 #include "engine/scene/scene.h"
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/floor_covering.h"
 #include "equipment/catalogue/quantity.h"
+#include "equipment/catalogue/support.h"
 #include "equipment/catalogue/uncertainty.h"
 #include "studies/job/items_reader.h"
 #include "studies/job/job_parts.h"
@@ -48,6 +51,47 @@ void check_overlaps(const std::vector<config::Spot>& positions, const JobParts& 
 
 std::string name_of(const PlacedItem& item) {
   return item.name.empty() ? item.model.name : item.name;
+}
+
+/// Centre of mass in plan, in item axes, of a rigid item with what stands on it; none where parts or a
+/// fixture move or hold it.
+std::optional<Vector2> rigid_center(const Scene& scene, std::size_t item) {
+  const PlacedItem& base = scene.items[item];
+  const auto free = [](const Guide& guide) { return guide.kind == Guide::Kind::kFree; };
+  if (!std::ranges::all_of(base.fixture.guides, free)) return {};
+  double mass = 0;
+  Vector2 moment = Vector2::Zero();
+  for (std::size_t i = item; i < scene.items.size(); ++i) {
+    if (carrier_of(scene, i) != item) continue;
+    if (joint_of(scene, i)) return {};
+    const PlacedItem& each = scene.items[i];
+    const MassProperties whole = whole_item(each.model);
+    mass += whole.mass;
+    moment += whole.mass * (each.initial.position.head<2>() +
+                            Eigen::Rotation2Dd(each.initial.yaw) * whole.center_of_mass.head<2>());
+  }
+  if (mass == 0) return {};
+  return Eigen::Rotation2Dd(-base.initial.yaw) * (moment / mass - base.initial.position.head<2>());
+}
+
+/// Notes each item that falls by itself on a level floor.
+/// @param places  where the items of the job are named
+void check_standing(const std::vector<config::Spot>& places, const Scene& scene,
+                    equipment::Sampler& of) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::optional<Vector2> center = rigid_center(scene, i);
+    if (!center) continue;
+    const PlacedItem& item = scene.items[i];
+    const equipment::Margin margin = equipment::smallest_margin(
+        equipment::supports_of(item.model, equipment::Swivels::kAsPlaced), *center);
+    if (margin.distance < 0)
+      of.error(places[i],
+               fmt::format(
+                   ": '{}' does not stand on its {}: its centre of mass is {:.3g} mm outside of "
+                   "their support, towards {:.0f} degrees from its front; must be inside",
+                   name_of(item), item.model.casters.empty() ? "feet" : "casters",
+                   -margin.distance * kMillimetersPerMeter, margin.direction / kRadiansPerDegree));
+  }
 }
 
 /// A warning for each item that stands in a zone at the start: the zone then counts as entered in
@@ -313,10 +357,14 @@ JobReading read(config::Document& document) {
   read_supports(items, job);
   place_unfolded(job);
   if (document.clean()) {
-    std::vector<config::Spot> positions;
-    for (const Table& item : items) positions.push_back(item.spot("position_m"));
-    job.add(document, [positions](JobParts& of_draw, equipment::Sampler& of) {
+    std::vector<config::Spot> positions, places;
+    for (const Table& item : items) {
+      positions.push_back(item.spot("position_m"));
+      places.push_back(item.spot("equipment"));
+    }
+    job.add(document, [positions, places](JobParts& of_draw, equipment::Sampler& of) {
       if (of.clean()) check_overlaps(positions, of_draw, of);
+      if (of.clean()) check_standing(places, of_draw.scene, of);
       if (!of.clean()) return;
       add_warnings_of_zones(of_draw.scene, of_draw.warnings);
       add_warnings_of_walls(of_draw.scene, positions.size(), of_draw.warnings);

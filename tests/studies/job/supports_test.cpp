@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,6 +45,38 @@ TEST(Supports, PutAnItemOnFurnitureAndAnotherOnThat) {
   EXPECT_NEAR(monitor.on->height, 0.7, 1e-12);
   EXPECT_NEAR(pump.on->height, 0.7 + 0.26, 1e-12);
   EXPECT_NEAR(pump.initial.position.x(), 3.2, 1e-12);
+}
+
+/// A block of 10 kg, 0.4 m wide, whose centre of mass is at (x, 0, 0.4) m.
+std::string block(double x) {
+  const auto scalar = [](const std::string& key, double value) {
+    return fmt::format("{} = {{ value = {}, assumption = \"of a test\", range = [{}, {}] }}\n", key,
+                       value, 0.9 * value, 1.1 * value);
+  };
+  const auto vector = [](const std::string& key, double of_x, double of_y, double of_z) {
+    return fmt::format(
+        "{} = {{ value = [{}, {}, {}], assumption = \"of a test\", low = [{}, {}, {}], high = [{}, "
+        "{}, {}] }}\n",
+        key, of_x, of_y, of_z, of_x - 1, of_y - 1, of_z - 1, of_x + 1, of_y + 1, of_z + 1);
+  };
+  return "schema = \"gurney-job/1\"\n[[item]]\nname = \"block\"\nyaw_deg = 90\n[item.inline]\nname "
+         "= "
+         "\"block\"\n[item.inline.chassis]\n" +
+         scalar("mass_kg", 10) + vector("center_of_mass_mm", x, 0, 400) +
+         vector("inertia_box_mm", 400, 400, 800) + "[[item.inline.shape]]\n" +
+         vector("size_mm", 400, 400, 800) +
+         "center_mm = [0, 0, 400]\n[item.inline.contact]\nmaterial = \"board\"\n" +
+         scalar("friction", 0.5) + scalar("restitution", 0.2);
+}
+
+TEST(Supports, HoldTheCentreOfMassOfWhatStands) {
+  EXPECT_NO_THROW(job_of_text(block(199.9)));
+  EXPECT_THAT(
+      errors_of_text(block(230)),
+      HasSubstr("'block' does not stand on its feet: its centre of mass is 30 mm outside of "
+                "their support, towards 0 degrees from its front; must be inside"));
+  EXPECT_THAT(errors_of_text(block(-230)), HasSubstr("towards 180 degrees"));
+  EXPECT_NO_THROW(job_of_text(block(230) + "[item.fixture]\npitch = \"held\"\n"));
 }
 
 TEST(Supports, RefuseWhatCannotBeStoodOn) {
