@@ -54,9 +54,9 @@ std::string format_for(const std::string& program) {
 void check_choice(const ExportOptions& options) {
   const bool fits = options.format == "pelicun" || options.format == "nrml";
   const auto refuse = [&](const char* option, const std::string& value, bool allowed) {
-    require(value.empty() || allowed,
-            fmt::format("{} cannot be combined with --to {}, which exports everything", option,
-                        options.format));
+    require_usage(value.empty() || allowed,
+                  fmt::format("{} cannot be combined with --to {}, which exports everything",
+                              option, options.format));
   };
   refuse("--measure", options.choice.measure, fits);
   refuse("--limit", options.choice.limit, fits);
@@ -66,17 +66,18 @@ void check_choice(const ExportOptions& options) {
   refuse("--configuration", options.choice.configuration,
          options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
              options.format != "gltf" && !is_of_input(options.format));
-  require(!options.noise || options.format == "trials", "--noise is for --to trials");
-  require(!options.choice.separate || fits, "--separate is for --to pelicun and --to nrml");
-  require(options.method.empty() || fits, "--method is for --to pelicun and --to nrml");
-  require(options.consequences.empty() || options.format == "pelicun",
-          "--consequences is for --to pelicun");
-  require(!options.choice.discrete || options.format == "nrml", "--discrete is for --to nrml");
-  require(
+  require_usage(!options.noise || options.format == "trials", "--noise is for --to trials");
+  require_usage(!options.choice.separate || fits, "--separate is for --to pelicun and --to nrml");
+  require_usage(options.method.empty() || fits, "--method is for --to pelicun and --to nrml");
+  require_usage(options.consequences.empty() || options.format == "pelicun",
+                "--consequences is for --to pelicun");
+  require_usage(!options.choice.discrete || options.format == "nrml",
+                "--discrete is for --to nrml");
+  require_usage(
       !options.units.chosen() || options.format == "csv",
       fmt::format("--units is for --to csv; --to {} has the units of its format", options.format));
-  require(options.variants.empty() || is_of_item(options.format),
-          "--variant is for items: --to mjcf and --to urdf");
+  require_usage(options.variants.empty() || is_of_item(options.format),
+                "--variant is for items: --to mjcf and --to urdf");
 }
 
 void write_item(const ExportOptions& options, const study::TakeFile& take) {

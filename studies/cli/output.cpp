@@ -10,6 +10,7 @@
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
 #include "groundmotions/formats/writers.h"
+#include "studies/cli/commands.h"
 #include "studies/cli/process.h"
 #include "studies/results/output_files.h"
 
@@ -86,7 +87,7 @@ std::string file_name(std::string record_name) {
 }
 
 void check_csv_output(const std::string& path, bool overwrite) {
-  require(fs::path(path).extension() == ".csv", path + ": must be a file that ends in .csv");
+  require_usage(fs::path(path).extension() == ".csv", path + ": must be a file that ends in .csv");
   study::OutputFiles(overwrite).check(path);
 }
 

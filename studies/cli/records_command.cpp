@@ -300,10 +300,10 @@ double shortest_period(const groundmotions::Measure& measure) {
 int convert(const ConvertOptions& options) {
   const fs::path output = options.output;
   const bool one_file = names_a_file(output);
-  require(!one_file || options.format == "csv",
-          options.output + ": AT2 files hold one component each; name a folder with -o");
-  require(!one_file || output.extension() == ".csv",
-          options.output + ": must be a file that ends in .csv, or a folder");
+  require_usage(!one_file || options.format == "csv",
+                options.output + ": AT2 files hold one component each; name a folder with -o");
+  require_usage(!one_file || output.extension() == ".csv",
+                options.output + ": must be a file that ends in .csv, or a folder");
   std::optional<study::ScaleTo> scale_to;
   if (!options.scale_to.empty()) scale_to = scale_to_of(options.scale_to);
   std::optional<NewFolder> folder;

@@ -163,7 +163,7 @@ same usgs.txt points.txt
 expect 1 "the file is a hazard curve, not a list of limit states" \
   "$gurney" measures plain.h5 --limit-states hazard.toml
 expect 1 "several limit states are given" "$gurney" sensitivity plain.h5 --limit-states limits.toml
-expect 1 "cannot be combined with --to csv" "$gurney" export plain.h5 --to csv --limit-state overturned
+expect 2 "cannot be combined with --to csv" "$gurney" export plain.h5 --to csv --limit-state overturned
 expect 2 "--and excludes --hazard" "$gurney" fragility plain.h5 --and pfa --hazard hazard.toml
 
 [ "$failures" -eq 0 ] && echo "given afterwards is as stated before"

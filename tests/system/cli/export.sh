@@ -44,7 +44,7 @@ expect 1 "take one of these with --measure: 'PGA larger'" "$gurney" export study
 expect 1 "no run exceeds" "$gurney" export study.h5 --to pelicun --limit hit -o new
 expect 1 "no configuration 'locked'" "$gurney" export study.h5 --to pelicun \
   --configuration locked -o new
-expect 1 "--limit cannot be combined with --to csv" "$gurney" export study.h5 --to csv --limit hit -o new
+expect 2 "--limit cannot be combined with --to csv" "$gurney" export study.h5 --to csv --limit hit -o new
 expect 1 "the folder none does not exist" "$gurney" export study.h5 --to csv -o none/new
 expect 1 "study.h5: is a file, the name of a folder is needed" "$gurney" export study.h5 --to csv \
   -o study.h5
@@ -80,7 +80,7 @@ expect 1 "not the results file of a single run" "$gurney" export study.h5 --to g
 folder_holds one_xdmf one.xdmf one_shapes.h5
 expect 1 "study.h5: holds many runs; make the one to be seen with gurney replay" "$gurney" export \
   study.h5 --to xdmf -o new
-expect 1 "--configuration cannot be combined with --to xdmf" "$gurney" export one.h5 --to xdmf \
+expect 2 "--configuration cannot be combined with --to xdmf" "$gurney" export one.h5 --to xdmf \
   --configuration a -o new
 head -n 1 one_csv/histories_time.csv > stdout
 grep -q 'displacement.*\.x,' stdout || complain "histories have no column for x"

@@ -28,7 +28,7 @@ expect 0 "wrote    tests_trials/trial_49.csv" "$gurney" export tests.h5 --to tri
 expect 0 "trial_07" "$gurney" pulling tests.h5 --measured tests_trials --run 7
 sed -i 's/^time_s/time_q/' tests_trials/trial_07.csv
 expect 1 "trial_07.csv:" "$gurney" pulling tests.h5 --measured tests_trials
-expect 1 "--limit cannot be combined with --to trials" "$gurney" export tests.h5 --to trials --limit moved
+expect 2 "--limit cannot be combined with --to trials" "$gurney" export tests.h5 --to trials --limit moved
 
 # The trials again under their own force, for their duration.
 rm tests_trials/trial_07.csv
@@ -48,7 +48,7 @@ grep -q "synthetic noise of 0.1 mm" noisy/figure_4.svg || complain "figure 4 doe
 expect 0 "wrote" "$gurney" export tests.h5 --to trials -o noisy_trials --noise 7
 grep -q "synthetic noise of 0.1 mm and 0.5 N, seed 7" noisy_trials/trial_00.csv ||
   complain "a noisy trial does not state its noise"
-expect 1 "--noise is for --to trials" "$gurney" export tests.h5 --to csv --noise 7
+expect 2 "--noise is for --to trials" "$gurney" export tests.h5 --to csv --noise 7
 
 # A study that is no pulling test.
 "$gurney" run "$2/studies/jobs/brakes_study.toml" -o brakes.h5 > stdout 2> stderr ||

@@ -94,7 +94,9 @@ for command in "make ricker" "floor $record --building concrete_hospital" "scale
   esac
   for output in "x.at2:must be a file that ends in .csv" "x:must be a file that ends in .csv" "none/z.csv:does not exist" \
     "folder:must be a file that ends in .csv" "there.csv:exists already"; do
-    records 1 "${output#*:}" "${words[@]}" -o "${output%%:*}"
+    code=1
+    case $output in *"must be a file"*) code=2 ;; esac
+    records "$code" "${output#*:}" "${words[@]}" -o "${output%%:*}"
     [ -s stdout ] && complain "${words[0]} computes for -o ${output%%:*}"
   done
 done

@@ -86,8 +86,8 @@ records 0 "at2/synthetic_3c_UP.AT2" convert "$record" --format at2 -o at2
 records 0 "PEER AT2" ls at2
 records 0 "made_folder/synthetic_3c.csv" convert "$record" -o made_folder
 records 0 "made_folder/synthetic_3c_UP.AT2" convert "$record" --format at2 -o made_folder/
-records 1 "must be a file that ends in .csv, or a folder" convert "$record" -o c.txt
-records 1 "AT2 files hold one component each" convert "$record" --format at2 -o c.csv
+records 2 "must be a file that ends in .csv, or a folder" convert "$record" -o c.txt
+records 2 "AT2 files hold one component each" convert "$record" --format at2 -o c.csv
 records 1 "the folder none does not exist" convert "$record" -o none/folder
 records 0 "figures/synthetic_3c.svg" plot "$record" -o figures
 records 2 "must end in .svg" plot "$record" -o c.jpg

@@ -54,7 +54,7 @@ for command in "run run.toml" "replay study.h5 0" "explain study.h5 --run 0"; do
   # shellcheck disable=SC2086
   expect 2 "--json" "$gurney" $command --json --units g-cm
 done
-expect 1 "--units is for --to csv; --to nrml has the units of its format" \
+expect 2 "--units is for --to csv; --to nrml has the units of its format" \
   "$gurney" export study.h5 --to nrml --units g-cm
 
 # The job is in g, m and degrees: stating it changes nothing. JSON is in SI.
