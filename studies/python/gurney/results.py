@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import warnings
 from functools import cached_property
 from html import escape
 from types import TracebackType
@@ -34,6 +35,9 @@ class Results:
         if not self._bytes:
             self._check_file()
         self.verified = self.verify() if verify else None
+        if self.verified is False:
+            warnings.warn(f"{self.path}: no checksum at its end: cut off, or changed by another program",
+                          stacklevel=3)
         try:
             self._file = h5py.File(io.BytesIO(self._bytes) if self._bytes else self.path, "r")
         except OSError as error:
