@@ -12,7 +12,7 @@
 
 // A step allocates nothing: neither the solver nor what observes it. Everything that this program
 // allocates goes through malloc, operator new and Eigen alike, which is counted here.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(GURNEY_SANITIZED) && !defined(__SANITIZE_THREAD__)
 #define GURNEY_COUNTS_ALLOCATIONS
 #endif
 

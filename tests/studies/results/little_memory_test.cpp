@@ -15,7 +15,7 @@
 #include "tests/support/synthetic_run.h"
 #include "tests/support/temp_folder.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(GURNEY_SANITIZED)
 #define GURNEY_HAS_SHADOW_MEMORY 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
