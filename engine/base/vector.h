@@ -13,4 +13,7 @@ using Matrix2 = Eigen::Matrix2d;
 using Matrix3 = Eigen::Matrix3d;
 using Quaternion = Eigen::Quaterniond;
 
+/// The larger of two numbers; one that is no number stays.
+inline double larger_or_nan(double a, double b) { return a >= b || a != a ? a : b; }
+
 }  // namespace gurney

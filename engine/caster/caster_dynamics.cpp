@@ -128,45 +128,4 @@ CasterGeometry<double> CasterDynamics::contact(const Pose& pose, double swivel_a
   return g;
 }
 
-void CasterDynamics::evaluate(const Pose& pose, double swivel_angle,
-                              const Vector6& chassis_velocity, const Eigen::Vector2d& joint_rates,
-                              const Vector3& gravity, Geometry& out) const {
-  CasterGeometry<double> g;
-  caster_geometry<double>(
-      constants_,
-      {splat<double>(pose.rotation), pose.position.z(), std::sin(swivel_angle),
-       std::cos(swivel_angle), splat<double>(Vector3(chassis_velocity.tail<3>())), joint_rates[0],
-       joint_rates[1], splat<double>(gravity)},
-      g);
-  const auto vector = [](const Vec3<double>& v) -> Vector3 { return {v.x, v.y, v.z}; };
-  const auto cross_matrix = [](const Vec3<double>& v) {
-    Matrix3 m;
-    m << 0, -v.z, v.y, v.z, 0, -v.x, -v.y, v.x, 0;
-    return m;
-  };
-  out.swivel_axis = vector(g.swivel_axis);
-  out.axle = vector(g.axle);
-  out.mount = vector(g.mount);
-  out.wheel_center = vector(g.wheel_center);
-  out.contact = vector(g.contact);
-  out.height = g.height;
-  out.axle_level = vector(g.axle_level);
-  out.heading = out.axle_level.cross(Vector3::UnitZ());
-
-  out.mass_chassis << constants_.mass * Matrix3::Identity(), -cross_matrix(g.mass_moment),
-      cross_matrix(g.mass_moment), Matrix3::Zero();
-  out.mass_chassis.bottomRightCorner<3, 3>() << vector(g.inertia.x), vector(g.inertia.y),
-      vector(g.inertia.z);
-  out.mass_coupling << vector(g.coupling_linear), Vector3::Zero(), vector(g.coupling_angular),
-      vector(g.spin_momentum);
-  out.mass_joints << g.joint_inertia, g.joint_coupling, g.joint_coupling, constants_.axial_inertia;
-  out.bias_chassis << vector(g.bias_linear), vector(g.bias_angular);
-  out.bias_joints << g.bias_swivel, g.bias_axle;
-  out.jacobian_chassis << Matrix3::Identity(), -cross_matrix(g.contact),
-      Vector3::Zero().transpose(), Vector3(0, 0, constants_.spin_radius).transpose(),
-      Vector3::Zero().transpose(), out.axle_level.transpose();
-  out.jacobian_joints << vector(g.swivel_speed), vector(g.axle_speed), g.swivel_spin, g.axle_spin,
-      g.swivel_roll, g.axle_roll;
-}
-
 }  // namespace gurney

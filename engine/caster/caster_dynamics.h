@@ -31,34 +31,6 @@ class CasterDynamics {
   /// @param chassis_center  O in item axes
   CasterDynamics(const Caster& caster, const Vector3& chassis_center);
 
-  /// Mass matrix blocks, bias and contact Jacobian of the caster at one configuration.
-  struct Geometry {
-    Vector3 swivel_axis;
-    Vector3 axle;          ///< unit, to the left
-    Vector3 heading;       ///< horizontal rolling direction, unit
-    Vector3 axle_level;    ///< horizontal direction of the axle, unit
-    Vector3 mount;         ///< relative to O
-    Vector3 wheel_center;  ///< relative to O
-    /// Lowest point of the undeformed wheel, relative to O: on the middle of the tread up to a lean
-    /// of 10 degrees, from there towards its edge, which is reached at 30 degrees.
-    Vector3 contact;
-    double height =
-        0;  ///< of that point above the floor (negative: compressed); 1 when it lies [m]
-
-    Matrix6 mass_chassis;                       ///< added to the chassis
-    Eigen::Matrix<double, 6, 2> mass_coupling;  ///< chassis x joints
-    Matrix2 mass_joints;
-    Vector6
-        bias_chassis;  ///< forces at zero acceleration: inertia (Coriolis, gyroscopic) minus weight
-    Eigen::Vector2d bias_joints;
-    Eigen::Matrix<double, 5, 6> jacobian_chassis;  ///< contact rates u = Jc V + Jl q'
-    Eigen::Matrix<double, 5, 2> jacobian_joints;
-  };
-
-  /// @param gravity  acceleration that acts on every mass: gravity minus that of the floor [m/s2]
-  void evaluate(const Pose& pose, double swivel_angle, const Vector6& chassis_velocity,
-                const Eigen::Vector2d& joint_rates, const Vector3& gravity, Geometry& out) const;
-
   /// Geometry of the contact with the floor: contact_geometry().
   CasterGeometry<double> contact(const Pose& pose, double swivel_angle) const;
 

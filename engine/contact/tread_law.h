@@ -9,7 +9,6 @@
 namespace gurney {
 
 using Vector5 = Eigen::Matrix<double, 5, 1>;
-using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
 /// State of a tread.
 struct TreadState {
@@ -44,15 +43,17 @@ struct TreadState {
 /// Limits: the deflection does not depend on the load; no camber force, no heat, no wear.
 class TreadLaw {
  public:
-  TreadLaw(const Tread& tread, double wheel_radius);
-
-  /// An implicit stage of length tau, started from `start`.
-  struct Stage {
-    double tau = 0;
-    double compression = 0;    ///< at zero u_z: d = compression - tau u_z [m]
-    double rolling_speed = 0;  ///< V >= 0 [m/s]
-    TreadState start;
-  };
+  TreadLaw(const Tread& tread, double wheel_radius)
+      : tread_(tread),
+        constants_{
+            tread.normal_stiffness,
+            tread.normal_damping,
+            tread.tangential_stiffness,
+            tread.tangential_damping,
+            tread.relaxation_length,
+            tread.rolling_friction_length,
+            tread.patch_width / 4,
+            {kStickStiffnessRatio * tread.tangential_stiffness * wheel_radius * wheel_radius, 0}} {}
 
   struct Result {
     Vector5 force = Vector5::Zero();
@@ -67,12 +68,6 @@ class TreadLaw {
     double spring_rates = 0;   ///< sum of k x'^2 over the springs of the tread [W/s]
   };
 
-  /// Force at rates u; `slope` becomes -df/du.
-  Vector5 force(const Stage& stage, const Vector5& u, Matrix5& slope) const;
-
-  /// New state and powers at the rates that solve the stage, where `force` is the force.
-  Result finish(const Stage& stage, const Vector5& u, const Vector5& force) const;
-
   double static_force(double compression) const {
     return compression > 0 ? tread_.normal_stiffness * compression : 0;
   }
@@ -85,8 +80,6 @@ class TreadLaw {
   }
 
  private:
-  TreadStage<double> inputs(const Stage& stage) const;
-
   Tread tread_;
   TreadConstants<double> constants_;
 };

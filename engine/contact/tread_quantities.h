@@ -19,7 +19,7 @@ struct TreadConstants {
   DryFrictionOf<T> roll;
 };
 
-/// TreadLaw::Stage with what follows from it alone: over tau, from e0 to e,
+/// One implicit stage, with what follows from its start alone: over tau, from e0 to e,
 ///
 ///     e = memory (e0 + tau u),   F = damping_rate e0 - stiffness e.
 template <class T>

@@ -107,16 +107,14 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
       mechanism.loads.pull_force(start.time, start.pose(), start.velocity.chassis);
   demands_.peak_velocity = horizontal(current_.velocity);
   for (std::size_t i = 0; i < mechanism.casters.size(); ++i) {
-    CasterDynamics::Geometry g;
-    mechanism.casters[i].evaluate(start.pose(), start.casters[i].swivel_angle,
-                                  start.velocity.chassis, start.velocity.joints[i], Vector3::Zero(),
-                                  g);
-    gaps_[i] = {g.height, 0, g.height >= 0, start.time};
+    const double gap =
+        mechanism.casters[i].contact(start.pose(), start.casters[i].swivel_angle).height;
+    gaps_[i] = {gap, 0, gap >= 0, start.time};
     WheelSample& wheel = current_.wheels[i];
     wheel.swivel_angle = start.casters[i].swivel_angle;
     wheel.swivel_rate = start.velocity.joints[i][0];
     wheel.wheel_rate = start.velocity.joints[i][1];
-    wheel.normal_force = mechanism.casters[i].tread().static_force(-g.height);
+    wheel.normal_force = mechanism.casters[i].tread().static_force(-gap);
     wheel.mode = wheel.normal_force > 0 ? WheelMode::kSticks : WheelMode::kLifted;
     demands_.wheels[i].peak_normal_force = wheel.normal_force;
     demands_.peak_normal_force = std::max(demands_.peak_normal_force, wheel.normal_force);

@@ -47,8 +47,9 @@ class Recorder {
               Response& response);
 
  private:
-  /// Tilt of the item; of one cylinder that of its axis from where it was, of a sphere none [rad].
+  /// Angle of the heading in the plan; 0 of a sphere [rad].
   double yaw_of(const Matrix3& rotation) const;
+  /// Tilt of the item; of one cylinder that of its axis from where it was, of a sphere none [rad].
   double lean_of(const Matrix3& rotation) const;
   EnergyAccount complete(const SceneState& state, const EnergyAccount& account) const;
   void observe_wheels(const Stepper::Step& step);

@@ -21,7 +21,7 @@ class RunClock {
   bool next(double time);
   double target() const { return target_; }
 
-  /// Whether the next stop after this one is due to a load that changes at target().
+  /// Whether a load changes at target().
   bool at_breakpoint() const { return at_breakpoint_; }
   /// Whether a sample of the history (or, without one, of the energy balance) is due at target().
   bool sample_due() const { return on_grid_ && grid_ % stride_ == 0; }

@@ -13,7 +13,7 @@ class ZoneLog {
  public:
   ZoneLog(const Scene& scene, const Assembly& assembly);
 
-  /// The scene at the end of `duration`.
+  /// Takes in the scene at `time`, the end of a step of `duration`.
   void observe(double time, double duration, const SceneState& state);
   const std::vector<ZoneOutcome>& outcomes() const { return outcomes_; }
 

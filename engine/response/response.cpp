@@ -1,23 +1,13 @@
 #include "engine/response/response.h"
 
+#include <array>
+
 namespace gurney {
 
 const char* name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kRested:
-      return "rested";
-    case Outcome::kStillMoving:
-      return "still_moving";
-    case Outcome::kStopped:
-      return "stopped";
-    case Outcome::kOverturned:
-      return "overturned";
-    case Outcome::kDiverged:
-      return "diverged";
-    case Outcome::kUntrusted:
-      return "untrusted";
-  }
-  return "unknown";
+  constexpr std::array kNames{"rested",     "still_moving", "stopped",
+                              "overturned", "diverged",     "untrusted"};
+  return kNames.at(static_cast<std::size_t>(outcome));
 }
 
 bool is_failure(Outcome outcome) {
@@ -29,31 +19,13 @@ bool is_failure(std::string_view outcome) {
 }
 
 const char* name_of(WheelMode mode) {
-  switch (mode) {
-    case WheelMode::kSticks:
-      return "sticks";
-    case WheelMode::kRolls:
-      return "rolls";
-    case WheelMode::kSkids:
-      return "skids";
-    case WheelMode::kBraked:
-      return "braked";
-    case WheelMode::kLifted:
-      return "lifted";
-  }
-  return "unknown";
+  constexpr std::array kNames{"sticks", "rolls", "skids", "braked", "lifted"};
+  return kNames.at(static_cast<std::size_t>(mode));
 }
 
 const char* name_of(Predictability::Verdict verdict) {
-  switch (verdict) {
-    case Predictability::Verdict::kPredictable:
-      return "predictable";
-    case Predictability::Verdict::kSensitive:
-      return "sensitive";
-    case Predictability::Verdict::kChaotic:
-      break;
-  }
-  return "chaotic";
+  constexpr std::array kNames{"predictable", "sensitive", "chaotic"};
+  return kNames.at(static_cast<std::size_t>(verdict));
 }
 
 }  // namespace gurney

@@ -147,9 +147,10 @@ void CasterLanes::evaluate_forces(const State& start, double tau, const Velocity
 
 double CasterLanes::largest_joint_residual() const {
   const Lanes swivel = abs(joint_residual_[0]), axle = abs(joint_residual_[1]);
-  const Lanes larger = select(swivel < axle, axle, swivel) / body_.radius;
+  // 0 axle: an axle that is no number counts, too.
+  const Lanes larger = (select(swivel < axle, axle, swivel) + 0.0 * axle) / body_.radius;
   double largest = 0;
-  for (std::size_t k = 0; k < count_; ++k) largest = std::max(largest, larger[k]);
+  for (std::size_t k = 0; k < count_; ++k) largest = larger_or_nan(largest, larger[k]);
   return largest;
 }
 

@@ -122,11 +122,13 @@ double ItemStage::end_forces(const Input& input, const Velocity& v) {
   }
   double joints = 0;
   for (const CasterLanes& lanes : casters_)
-    joints = std::max(joints, lanes.largest_joint_residual());
+    joints = larger_or_nan(joints, lanes.largest_joint_residual());
   // Residuals as fractions of the impulse of the weight; those of moments over a length of the item.
   const double scale = 1 / (mechanism_.total_mass * kStandardGravity * tau);
-  return scale * std::max({residual_.head<3>().cwiseAbs().maxCoeff(),
-                           residual_.tail<3>().cwiseAbs().maxCoeff() / mechanism_.length, joints});
+  const auto largest = [&](int first) {
+    return residual_.segment<3>(first).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  };
+  return scale * larger_or_nan(larger_or_nan(largest(0), largest(3) / mechanism_.length), joints);
 }
 
 void ItemStage::begin_matrix() {

@@ -24,9 +24,9 @@ Vector3 rotation_vector(const Matrix3& rotation) {
   return 2 * std::atan2(sine, std::abs(q.w())) / sine * v;
 }
 
-/// J' with theta' = J w for the angular velocity w that turns a body of the rotation vector theta,
+/// J^T with dtheta/dt = J w for the angular velocity w that turns a body of the rotation vector theta,
 ///   J = 1 - [theta] / 2 + (1 / a^2 - (1 + cos a) / (2 a sin a)) [theta]^2,   a = |theta|,
-/// the inverse of w = (1 + (1 - cos a) / a^2 [theta] + (a - sin a) / a^3 [theta]^2) theta'.
+/// the inverse of w = (1 + (1 - cos a) / a^2 [theta] + (a - sin a) / a^3 [theta]^2) dtheta/dt.
 Matrix3 transposed_rate_matrix(const Vector3& theta) {
   const double angle = theta.norm();
   const double quadratic =

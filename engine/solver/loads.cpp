@@ -120,8 +120,8 @@ void Loads::evaluate(const Stage& stage, const Pose& pose, const Vector6& veloci
                      std::vector<Row>& rows) const {
   rows.clear();
   for (const auto& f : forces_) {
-    const StageMeans mean =
-        stage_means(stage.from, stage.to, [&](double t) { return f.table.integral(t); });
+    const StageMeans<double> mean = stage_means(stage.from, stage.to - stage.from,
+                                                [&](double t) { return f.table.integral(t); });
     const double force = stage.first ? mean.first : mean.second;
     const Vector6 row = row_of(pose, f.point, f.direction);
     const Share share = share_at(f.speed_limit, row.dot(velocity));
@@ -258,7 +258,8 @@ double Loads::land(LoadsState& state) const {
     if (s.landed || s.fall < w.drop_height - 1e-9) continue;
     const double stretch = std::max(s.stretch, 0.0);
     lost += 0.5 * w.inertia * s.speed * s.speed + 0.5 * w.stiffness * stretch * stretch;
-    s.speed = s.stretch = 0;
+    s.speed = 0;
+    s.stretch = std::min(s.stretch, 0.0);  // a slack cable stays slack
     s.landed = true;
   }
   return lost;

@@ -5,17 +5,6 @@
 #include <cmath>
 
 namespace gurney {
-namespace {
-
-CasterDynamics::Geometry geometry(const CasterDynamics& caster, const State& state, std::size_t i) {
-  CasterDynamics::Geometry g;
-  caster.evaluate(state.pose(), state.casters[i].swivel_angle, state.velocity.chassis,
-                  state.velocity.joints[i], Vector3::Zero(), g);
-  return g;
-}
-
-}  // namespace
-
 Vector3 point_of(const CasterDynamics& caster, const Pose& pose, double swivel_angle,
                  const BodyContact::Side& side) {
   return side.outwards.isZero() ? caster.point(pose, swivel_angle, side.local)
@@ -67,8 +56,9 @@ Vector3 Mechanism::velocity(const BodyContact::Side& side, const State& state) c
   if (side.caster < 0) return u;
   const auto caster = static_cast<std::size_t>(side.caster);
   if (!casters[caster].swivels()) return u;
-  const auto g = geometry(casters[caster], state, caster);
-  return u + state.velocity.joints[caster][0] * g.swivel_axis.cross(here - g.mount);
+  const auto g = casters[caster].contact(state.pose(), state.casters[caster].swivel_angle);
+  return u +
+         state.velocity.joints[caster][0] * lane(g.swivel_axis, 0).cross(here - lane(g.mount, 0));
 }
 
 double Mechanism::mobility(const BodyContact::Side& side, const Vector3& normal,
@@ -105,9 +95,11 @@ void Mechanism::set_in_motion(const InitialMotion& initial, State& state) const 
   }
   if (!initial.wheels_roll) return;
   for (std::size_t i = 0; i < casters.size(); ++i) {
-    const auto g = geometry(casters[i], state, i);
-    const Eigen::Vector2d slip = (g.jacobian_chassis * state.velocity.chassis).head<2>();
-    const Matrix2 joints = g.jacobian_joints.topRows<2>();
+    const auto g = casters[i].contact(state.pose(), state.casters[i].swivel_angle);
+    const Vector6& v = state.velocity.chassis;
+    const Eigen::Vector2d slip = (v.head<3>() + v.tail<3>().cross(lane(g.contact, 0))).head<2>();
+    Matrix2 joints;
+    joints << lane(g.swivel_speed, 0).head<2>(), lane(g.axle_speed, 0).head<2>();
     if (casters[i].turns_into_motion()) {
       state.velocity.joints[i] = -joints.inverse() * slip;
     } else {

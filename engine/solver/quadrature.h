@@ -10,18 +10,20 @@ inline constexpr double kSdirkGamma = 0.29289321881345247560;
 
 /// Values that the two stages take for a given function of time, so that their weighted sum is the
 /// exact mean of the function over the step and linear functions are met at the stage times.
+template <typename Value>
 struct StageMeans {
-  double first, second;
+  Value first, second;
 };
 
-/// @param integral  exact integral of the function, any origin
+/// @param h         length of the step [s]
+/// @param integral  exact integral of the function, any origin: a number or a vector
 template <typename Integral>
-StageMeans stage_means(double from, double to, const Integral& integral) {
-  const double h = to - from;
-  const double at_start = integral(from);
-  const double first = (integral(from + 2 * kSdirkGamma * h) - at_start) / (2 * kSdirkGamma * h);
-  const double mean = (integral(to) - at_start) / h;
-  return {first, (mean - (1 - kSdirkGamma) * first) / kSdirkGamma};
+auto stage_means(double from, double h, const Integral& integral) {
+  using Value = decltype(integral(from));
+  const Value at_start = integral(from);
+  const Value first = (integral(from + 2 * kSdirkGamma * h) - at_start) / (2 * kSdirkGamma * h);
+  const Value mean = (integral(from + h) - at_start) / h;
+  return StageMeans<Value>{first, (mean - (1 - kSdirkGamma) * first) / kSdirkGamma};
 }
 
 }  // namespace gurney

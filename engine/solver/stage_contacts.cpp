@@ -67,7 +67,8 @@ void StageSolver::add_rolling(const Input& input, std::size_t c, const std::vect
     items_[work.contact->other_side.item].add_moment(-work.rolling.moment);
 }
 
-/// Surely, by the normal alone; most of the contacts that are near do.
+/// Whether the bodies certainly do not touch at the end of the stage, by the normal rate alone, which settles
+/// most of the contacts that are near.
 bool StageSolver::stays_apart(const ContactWork& work, const std::vector<Velocity>& v) const {
   constexpr double kRounding = 1e-9;  // [m]
   const auto rate = [&](const BodyContact::Side& at, const Side& side) {

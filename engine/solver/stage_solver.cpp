@@ -65,11 +65,8 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
   }
   add_joint_forces(v);
   double residual = 0;
-  for (std::size_t i : input.island->items) {
-    const double of_item = items_[i].end_forces(inputs_[i], v[i]);
-    if (std::isnan(of_item) || of_item > residual)
-      residual = of_item;  // one that is no number stays
-  }
+  for (std::size_t i : input.island->items)
+    residual = larger_or_nan(residual, items_[i].end_forces(inputs_[i], v[i]));
   return residual;
 }
 

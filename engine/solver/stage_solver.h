@@ -77,7 +77,7 @@ class StageSolver {
     RollingResistance resistance;
     RollingResistance::Result rolling;
 
-    /// Else force and slope are zero.
+    /// Whether there is a force; without one the slope is not set.
     bool pushes() const { return force.z() != 0; }
   };
   struct JointWork {

@@ -274,23 +274,22 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
                          finite ? residual : std::nan(""));
     ++quality_.unconverged_steps;
   }
-  if (past_event(island, second_.end) > kEventDistance) {
+  const bool at_event = past_event(island, second_.end) > kEventDistance;
+  if (at_event) {
     const std::optional<double> event = locate_event(island, state, duration);
     if (!event)
       return "the time of a landing drop weight, a released latch or a broken tether was not found";
     duration = *event;
     ++quality_.event_steps;
-    accept(island, state, duration, observer);
-    for (std::size_t i : island.items) {
-      if (!assembly_.items[i].loads.empty())
-        accounts_[i].damper_loss += assembly_.items[i].loads.land(state.items[i].loads);
-      predictions_[i].known = false;
-    }
-    if (time - from - duration >= kShortestStep)
-      return advance_smoothly(island, state, time, depth, observer);
-  } else {
-    accept(island, state, duration, observer);
   }
+  accept(island, state, duration, observer);
+  for (std::size_t i : island.items) {
+    if (!assembly_.items[i].loads.empty())
+      accounts_[i].damper_loss += assembly_.items[i].loads.land(state.items[i].loads);
+    if (at_event) predictions_[i].known = false;
+  }
+  if (at_event && time - from - duration >= kShortestStep)
+    return advance_smoothly(island, state, time, depth, observer);
   for (std::size_t i : island.items) state.items[i].time = time;
   return std::nullopt;
 }

@@ -82,6 +82,8 @@ class Stepper {
   double longest_step_at_stops(const Island& island, const SceneState& state,
                                double remaining) const;
 
+  /// Time at which the next step ends: `latest`, or earlier where slip reverses or a wheel
+  /// crosses the floor.
   double end_of_step(const Island& island, const SceneState& state, double latest);
 
   const Assembly& assembly_;

@@ -147,7 +147,7 @@ std::pair<double, double> period_range(const Building& building) {
   return high > 0 ? std::pair(low, high) : std::pair(0.0, 0.0);
 }
 
-/// The ground's acceleration, linear between samples and at rest after the last.
+/// The ground's acceleration, linear between samples, from the last to 0 within one interval.
 class Ground {
  public:
   Ground(const Record& record, int refinement) : refinement_(refinement) {

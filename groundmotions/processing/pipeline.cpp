@@ -273,16 +273,10 @@ void read_filter(Table& in, Butterworth& filter) {
   if (in.has("taper_s")) filter.taper = in.number("taper_s", Range::not_negative());
 }
 
-ProcessingStep read_high_pass(Table& in) {
+template <auto kCorner>
+ProcessingStep read_pass(Table& in) {
   Butterworth filter;
-  filter.high_pass = in.number("corner_hz", Range::positive());
-  read_filter(in, filter);
-  return filter;
-}
-
-ProcessingStep read_low_pass(Table& in) {
-  Butterworth filter;
-  filter.low_pass = in.number("corner_hz", Range::positive());
+  filter.*kCorner = in.number("corner_hz", Range::positive());
   read_filter(in, filter);
   return filter;
 }
@@ -343,8 +337,8 @@ using Reader = ProcessingStep (*)(Table&);
 constexpr std::array<std::pair<const char*, Reader>, 9> kReaders = {{
     {"baseline", read_baseline},
     {"taper", read_taper},
-    {"high_pass", read_high_pass},
-    {"low_pass", read_low_pass},
+    {"high_pass", read_pass<&Butterworth::high_pass>},
+    {"low_pass", read_pass<&Butterworth::low_pass>},
     {"band_pass", read_band_pass},
     {"resample", read_resample},
     {"trim", read_trim},

@@ -32,10 +32,9 @@ bool is_better(const statistics::IntensityRow& a, const statistics::IntensityRow
 /// The points of drawn records, with replacement.
 Points resampled(const std::vector<Points>& of_record, std::uint64_t seed, int resample) {
   Points points;
-  const double n = static_cast<double>(of_record.size());
   for (std::size_t i = 0; i < of_record.size(); ++i) {
     const double u = uniform_draw(seed, static_cast<std::uint64_t>(resample), i);
-    const std::size_t record = std::min(of_record.size() - 1, static_cast<std::size_t>(u * n));
+    const std::size_t record = drawn_index(u, of_record.size());
     for (statistics::CloudPoint point : of_record[record]) {
       point.group = i;
       points.push_back(point);
@@ -117,8 +116,8 @@ std::vector<std::size_t> sized_states(const StudyData& data) {
   return states;
 }
 
-MeasureChoice choose_measure(const ConfigurationView& side, std::size_t state, int resamples,
-                             std::uint64_t seed) {
+MeasureChoice rank_measures(const ConfigurationView& side, std::size_t state, int resamples,
+                            std::uint64_t seed) {
   const StudyData& data = *side.data;
   const std::vector<std::size_t>& runs = side.runs();
   MeasureChoice choice;

@@ -35,10 +35,10 @@ struct MeasureChoice {
 /// it says whether scaling biases the demand), and magnitude and distance where every run has them.
 /// @param state  one whose demand has a size, as StudyData::cloud()
 /// @throws Error as StudyData::cloud()
-MeasureChoice choose_measure(const ConfigurationView& side, std::size_t state, int resamples = 200,
-                             std::uint64_t seed = 1);
+MeasureChoice rank_measures(const ConfigurationView& side, std::size_t state, int resamples = 200,
+                            std::uint64_t seed = 1);
 
-/// The states that choose_measure() takes.
+/// The states that rank_measures() takes.
 std::vector<std::size_t> sized_states(const StudyData& data);
 
 }  // namespace gurney::study

@@ -8,6 +8,7 @@
 
 #include "engine/base/units.h"
 #include "engine/response/response.h"
+#include "studies/statistics/quantiles.h"
 
 namespace gurney::study {
 namespace {
@@ -83,20 +84,6 @@ std::vector<bool> in_chaotic_cases(const StudyReader& file) {
   return chaotic;
 }
 
-namespace {
-
-std::vector<std::size_t> replicas_of(const StudyReader& file, std::size_t run) {
-  std::vector<std::size_t> same(file.runs());
-  for (std::size_t i = 0; i < same.size(); ++i) same[i] = i;
-  for (const char* column : {"configuration", "record", "angle", "draw", "scale"}) {
-    const std::vector<double> values = file.numbers(std::string("runs/") + column);
-    std::erase_if(same, [&](std::size_t i) { return values[i] != values[run]; });
-  }
-  return same;
-}
-
-}  // namespace
-
 std::optional<ReplicaSpread> replica_spread(const StudyReader& file, std::size_t run) {
   if (!file.has_column("runs/replica")) return {};
   const std::vector<std::string> outcomes = file.strings("runs/outcome");
@@ -104,7 +91,9 @@ std::optional<ReplicaSpread> replica_spread(const StudyReader& file, std::size_t
   const auto rows = file.rows_of_runs("items");
   ReplicaSpread spread;
   std::vector<double> peaks;
-  for (const std::size_t replica : replicas_of(file, run)) {
+  const std::vector<std::size_t> cases = replica_cases(file);
+  for (std::size_t replica = 0; replica < cases.size(); ++replica) {
+    if (cases[replica] != cases[run]) continue;
     ++spread.runs;
     spread.overturned += outcomes[replica] == name_of(Outcome::kOverturned);
     const auto [first, last] = rows[replica];
@@ -115,11 +104,9 @@ std::optional<ReplicaSpread> replica_spread(const StudyReader& file, std::size_t
                                         of_items.begin() + static_cast<std::ptrdiff_t>(last)));
   }
   if (spread.runs < 2 || peaks.empty()) return {};
-  std::ranges::sort(peaks);
-  spread.lowest = peaks.front();
-  spread.highest = peaks.back();
-  const std::size_t half = peaks.size() / 2;
-  spread.median = peaks.size() % 2 == 1 ? peaks[half] : (peaks[half - 1] + peaks[half]) / 2;
+  spread.lowest = std::ranges::min(peaks);
+  spread.highest = std::ranges::max(peaks);
+  spread.median = statistics::quantile_of(peaks, 0.5);
   return spread;
 }
 

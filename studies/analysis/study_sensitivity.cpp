@@ -254,6 +254,20 @@ std::vector<std::string> design_inputs(const StudyData& data) {
   return data.file().strings("design/input");
 }
 
+/// The facts of an analysis that its output gives.
+StudySensitivity begun(const SensitivityOutput& output, const SensitivityRequest& request) {
+  StudySensitivity result;
+  result.share = request.share;
+  result.output = output.name;
+  result.units = output.units;
+  result.level = output.level;
+  result.why_level = output.why_level;
+  result.runs = output.runs.size();
+  result.left_out = output.left_out;
+  result.overturned = output.overturned;
+  return result;
+}
+
 StudySensitivity designed_sensitivity(const ConfigurationView& side,
                                       const SensitivityRequest& request) {
   constexpr std::string_view kVariable = "variable ";
@@ -268,16 +282,10 @@ StudySensitivity designed_sensitivity(const ConfigurationView& side,
           fmt::format("{}: {} points with all {} runs of {} are too few: at least {} are needed, "
                       "and 500 or more give informative intervals",
                       file, rows, matrices, output.name, kFewestRuns));
-  StudySensitivity result;
+  StudySensitivity result = begun(output, request);
   result.designed = true;
-  result.share = request.share;
-  result.output = output.name;
-  result.units = output.units;
-  result.level = output.level;
-  result.why_level = output.why_level;
   result.runs = rows * matrices;
-  result.left_out = output.left_out + design.left_out;
-  result.overturned = output.overturned;
+  result.left_out += design.left_out;
   result.draws = std::set<std::size_t>(design.draw_a.begin(), design.draw_a.end()).size();
   result.repeated_draws = result.draws < rows;
   result.mean = statistics::moments_of(joined(design.outputs[0], design.outputs[1])).mean;
@@ -413,15 +421,7 @@ StudySensitivity study_sensitivity(const ConfigurationView& side,
   const std::vector<std::size_t>& runs = output.runs;
   const std::vector<double>& y = output.values;
   const statistics::Moments moments = statistics::moments_of(y);
-  StudySensitivity result;
-  result.share = request.share;
-  result.output = output.name;
-  result.units = output.units;
-  result.level = output.level;
-  result.why_level = output.why_level;
-  result.runs = runs.size();
-  result.left_out = output.left_out;
-  result.overturned = output.overturned;
+  StudySensitivity result = begun(output, request);
   result.mean = moments.mean;
   result.deviation = std::sqrt(moments.variance);
   result.draws = std::set<std::size_t>(output.draw.begin(), output.draw.end()).size();

@@ -319,7 +319,7 @@ int run_study(const RunOptions& options) {
   motions.read_all(threads);
   if (is_complete(options, paths, batch)) return 0;
 
-  if (options.output.empty()) fs::create_directory("out");
+  make_default_folder(options);
   study::OutputFiles(options.overwrite).check(paths.results.string());
   study::refuse_input(paths.log.string());
   if (!options.shard.empty()) {

@@ -231,7 +231,7 @@ int measures(const MeasuresOptions& options) {
       const study::LimitState& limit = data.limit_states()[state];
       known.push_back(report::measure_findings(
           {data.configurations()[configuration], limit.name, limit.words,
-           study::choose_measure({&data, configuration}, state), options.units}));
+           study::rank_measures({&data, configuration}, state), options.units}));
     }
   print_findings(known, options.json);
   return 0;

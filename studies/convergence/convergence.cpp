@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -64,7 +65,7 @@ ConvergenceCases cases_of_study(const StudyJob& job, std::size_t most, int threa
   const std::size_t all = plan.tasks_of_stage() * values.size(), count = std::min(most, all);
   std::string last_problem;
   for (std::size_t i = 0; i < count; ++i) {
-    // Units in equal distances; where there are fewer than runs, each has several levels.
+    // Tasks at equal distances; where they are fewer than the runs, each has several levels.
     const std::size_t task_index = i * plan.tasks_of_stage() / count;
     const Task task = plan.task(task_index);
     const double value = values[i % values.size()];
@@ -127,10 +128,10 @@ AllOutcomes run_all(const ConvergenceCases& cases, const std::vector<Variant>& v
   return all;
 }
 
-/// Values of a number, by variant and run.
-using Values2 = std::vector<std::vector<double>>;
+/// Values of a number: of each variant those of its runs.
+using ValuesByVariant = std::vector<std::vector<double>>;
 
-ConvergedNumber number_of(const Values2& values) {
+ConvergedNumber number_of(const ValuesByVariant& values) {
   ConvergedNumber number;
   number.runs = values.front().size();
   for (const std::vector<double>& of_variant : values)
@@ -142,7 +143,7 @@ ConvergedNumber number_of(const Values2& values) {
   return number;
 }
 
-ConvergedNumber share_of(const Values2& values) {
+ConvergedNumber share_of(const ValuesByVariant& values) {
   ConvergedNumber number;
   number.runs = values.front().size();
   for (const std::vector<double>& of_variant : values)
@@ -171,7 +172,7 @@ class Judge {
 
   void limit_states() {
     for (std::size_t i = 0; i < cases_.limit_states.size() && !usable_.empty(); ++i) {
-      Values2 values(all_.size());
+      ValuesByVariant values(all_.size());
       for (std::size_t variant = 0; variant < all_.size(); ++variant)
         for (const std::size_t run : usable_)
           values[variant].push_back(all_[variant][run].exceeded[i] ? 1 : 0);
@@ -196,7 +197,7 @@ class Judge {
   }
 
   void add(const std::string& item, const TableColumn<Demands>& column) {
-    Values2 values(all_.size());
+    ValuesByVariant values(all_.size());
     for (const std::size_t run : usable_) {
       const std::vector<std::string> names = item_names(cases_.runs[run].scene);
       const auto place = std::ranges::find(names, item);
@@ -292,17 +293,9 @@ ConvergenceCases convergence_cases(const std::string& job, std::size_t most, int
 }
 
 std::string name_of(StepVerdict verdict) {
-  switch (verdict) {
-    case StepVerdict::kConverged:
-      return "converged";
-    case StepVerdict::kConverging:
-      return "needs a smaller step";
-    case StepVerdict::kScattered:
-      return "below the scatter";
-    case StepVerdict::kSensitive:
-      break;
-  }
-  return "sensitive";
+  constexpr std::array kNames{"converged", "needs a smaller step", "below the scatter",
+                              "sensitive"};
+  return kNames.at(static_cast<std::size_t>(verdict));
 }
 
 Convergence converge(const ConvergenceCases& cases, double tolerance, int threads) {

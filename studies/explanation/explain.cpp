@@ -1,6 +1,7 @@
 #include "studies/explanation/explain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -153,7 +154,7 @@ void find_worst(const Response& response, Explanation& result) {
   }
 }
 
-/// Overturning of an item, the one that every report of the run names.
+/// Finds the half cycle that drove the worst; of an overturning the one that every report of the run names.
 void find_pulse(const study::RunFacts& facts, const Response& response, Explanation& result) {
   if (result.direction.isZero()) return;
   if (result.item().finding != Finding::kOverturned) {
@@ -350,19 +351,8 @@ Explanation explain(const study::RunFacts& facts, const Response& response) {
 }
 
 const char* name_of(Finding finding) {
-  switch (finding) {
-    case Finding::kStill:
-      return "still";
-    case Finding::kMoved:
-      return "moved";
-    case Finding::kRocked:
-      return "rocked";
-    case Finding::kHit:
-      return "hit";
-    case Finding::kOverturned:
-      break;
-  }
-  return "overturned";
+  constexpr std::array kNames{"still", "moved", "rocked", "hit", "overturned"};
+  return kNames.at(static_cast<std::size_t>(finding));
 }
 
 const char* name_of(EventKind kind) {

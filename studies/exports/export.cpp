@@ -17,6 +17,7 @@
 #include "engine/base/unit_table.h"
 #include "equipment/catalogue/uncertainty.h"
 #include "studies/analysis/demand_runs.h"
+#include "studies/analysis/study_sensitivity.h"
 #include "studies/results/columns.h"
 #include "studies/results/hdf5_reader.h"
 
@@ -221,28 +222,17 @@ void add_demands(const StudyReader& file, const std::string& table, const std::s
   }
 }
 
-void add_drawn(const StudyReader& file, std::size_t configuration,
-               std::vector<RunColumn>& columns) {
-  if (!file.has("drawn")) return;
-  const std::vector<double> of = file.numbers("drawn/configuration"),
-                            draws = file.numbers("drawn/draw"),
-                            values = file.numbers("drawn/value"),
-                            draw_of_run = file.numbers("runs/draw");
-  const std::vector<std::string> variables = file.strings("drawn/variable");
-  std::vector<std::string> names;
-  std::map<std::string, std::map<double, double>> by_draw;
-  for (std::size_t row = 0; row < of.size(); ++row) {
-    if (static_cast<std::size_t>(of[row]) != configuration) continue;
-    if (!by_draw.contains(variables[row])) names.push_back(variables[row]);
-    by_draw[variables[row]][draws[row]] = values[row];
-  }
-  for (const std::string& name : names) {
+void add_drawn(const StudyData& data, std::size_t configuration, std::vector<RunColumn>& columns) {
+  if (!data.file().has("drawn")) return;
+  const DrawnNumbers drawn = drawn_numbers({&data, configuration});
+  for (const std::string& name : drawn.names) {
     RunColumn column{name, equipment::unit_of_key(name), {}};
-    for (const double draw : draw_of_run) {
-      const auto found = by_draw[name].find(draw);
-      column.values.push_back(found == by_draw[name].end() ? kNaN : found->second);
+    const auto& of_draw = drawn.values.at(name);
+    for (const double draw : data.file().numbers("runs/draw")) {
+      const auto found = draw < 0 ? of_draw.end() : of_draw.find(static_cast<std::size_t>(draw));
+      column.values.push_back(found == of_draw.end() ? kNaN : found->second);
     }
-    columns.push_back(column);
+    columns.push_back(std::move(column));
   }
 }
 
@@ -272,7 +262,7 @@ std::vector<RunColumn> responses(const StudyData& data, std::size_t configuratio
                                  const std::set<std::size_t>& runs) {
   const StudyReader& file = data.file();
   std::vector<RunColumn> columns;
-  add_drawn(file, configuration, columns);
+  add_drawn(data, configuration, columns);
   columns.push_back({"angle", "rad", file.numbers("runs/angle")});
   columns.push_back({"scale", "1", file.numbers("runs/scale")});
   add_measures(data, columns);
@@ -303,8 +293,12 @@ std::vector<RunColumn> pelicun_demands(const StudyData& data, const std::set<std
     add_demands(file, "items", "", std::span(&each, 1), runs, of_items);
     for (RunColumn& column : of_items) {
       const std::string item = column.name.substr(0, column.name.rfind('.'));
-      columns.push_back({fmt::format("{}-{}-1", each.name, plain_identifier(item, "item")),
-                         pelicun_unit(each.units), column.values});
+      const std::string name = fmt::format("{}-{}-1", each.name, plain_identifier(item, "item"));
+      require(std::ranges::find(columns, name, &RunColumn::name) == columns.end(),
+              fmt::format("{}: two items would have the column {}; their names must differ in more "
+                          "than signs and spaces",
+                          file.path(), name));
+      columns.push_back({name, pelicun_unit(each.units), column.values});
     }
   }
   const RunColumn errors = errors_of(file);

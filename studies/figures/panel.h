@@ -67,7 +67,7 @@ struct Range {
 /// Round numbers (1, 2, 2.5 or 5 times a power of ten) inside `range`, about `wanted` of them.
 std::vector<double> ticks(const Range& range, int wanted);
 
-/// As ticks(), of which an axis needs two.
+/// ticks(), at least two of them.
 std::vector<double> axis_ticks(const Range& range, int wanted);
 
 /// 1, 2 and 5 times the powers of ten inside a range of log10 values, as log10; of a range of more

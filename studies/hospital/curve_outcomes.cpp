@@ -205,7 +205,7 @@ class Threshold {
   std::array<double, kPoints> of_{};
 };
 
-/// A state of one piece: reached by a score below all that is known allows.
+/// A state of one piece: reached where the intensity exceeds its capacity, and the score its thresholds.
 struct Reach {
   Reached state = 0;
   std::optional<Capacity> capacity;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "engine/base/error.h"
@@ -72,7 +74,8 @@ class Parser {
     const std::size_t begin = at_;
     const std::string text = name();
     const std::optional<double> value = number(text);
-    if (!value || *value != static_cast<int>(*value) || *value < 1)
+    if (!value || !(*value >= 1 && *value <= std::numeric_limits<int>::max()) ||
+        *value != std::floor(*value))
       fail(fmt::format("'{}': at_least begins with a whole number from 1 on", text), begin);
     return static_cast<int>(*value);
   }

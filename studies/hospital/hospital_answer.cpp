@@ -216,7 +216,7 @@ class Model {
   std::map<std::pair<std::size_t, std::size_t>, std::array<Outcome, 3>> outcomes_;
 };
 
-/// What an action makes of one group of pieces.
+/// One action on one group of pieces, and its outcome.
 struct Candidate {
   const HospitalAction* action;
   std::size_t room, item;
@@ -316,7 +316,7 @@ class Answering {
                                        : "chance that " + by + " is lost";
   }
 
-  /// To be made small.
+  /// The number that the ranking makes small.
   double objective(const Row& row) const {
     return objective_ < kFirstService ? row[objective_] : 1 - row[objective_];
   }
@@ -506,7 +506,7 @@ class Answering {
     }
   }
 
-  /// Times a year, of a column's value or of 1 less that.
+  /// Annual rate of a column's value, or of 1 less that.
   Answer rate_of(std::size_t column, bool complement) const {
     const auto rate = [&](const auto& row_of) {
       std::vector<double> values;

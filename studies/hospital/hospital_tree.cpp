@@ -106,9 +106,10 @@ class TreeBuilder {
 
   Nodes named(const Scope& scope, const Requirement& of) {
     if (auto pieces = items(scope, of.name, {})) return *pieces;
-    if (const auto found = index_of(hospital_.rooms, of.name)) return guarded(scope, of, *found);
+    if (const auto found = index_of(hospital_.rooms, of.name))
+      return without_circle(scope, of, *found);
     if (const auto found = index_of(hospital_.services, of.name))
-      return guarded(scope, of, hospital_.rooms.size() + *found);
+      return without_circle(scope, of, hospital_.rooms.size() + *found);
     return fail(scope, of,
                 fmt::format("'{}': no such item, room or service{}", of.name,
                             config::suggestion(of.name, known(scope))));
@@ -119,8 +120,8 @@ class TreeBuilder {
                                          : hospital_.services[unit - hospital_.rooms.size()].name;
   }
 
-  /// A room or service that is being built needs itself.
-  Nodes guarded(const Scope& scope, const Requirement& of, std::size_t unit) {
+  /// Nodes of a room or service; one that is being built already needs itself, which is an error.
+  Nodes without_circle(const Scope& scope, const Requirement& of, std::size_t unit) {
     const auto begun = std::ranges::find(open_, unit);
     if (begun == open_.end())
       return unit < hospital_.rooms.size() ? room(unit)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/random/normal_draw.h"
 #include "engine/config/nearest_name.h"
 #include "studies/analysis/study_data.h"
 #include "studies/hospital/outcomes.h"
@@ -53,12 +54,9 @@ class RunOutcomes : public OutcomeSource {
     return [runs](std::size_t level, const MotionSample& motion, const PieceSample& piece,
                   const Replicate& replicate) {
       const RunsOfLevel& of = (*runs)[level];
-      const auto pick = [](double u, std::size_t count) {
-        return std::min(count - 1, static_cast<std::size_t>(u * static_cast<double>(count)));
-      };
-      std::size_t record = pick(motion.record, of.size());
+      std::size_t record = drawn_index(motion.record, of.size());
       if (!replicate.records.empty()) record = replicate.records[record];
-      return of[record][pick(piece.draw, of[record].size())];
+      return of[record][drawn_index(piece.draw, of[record].size())];
     };
   }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -260,7 +262,7 @@ class StateTable {
     Node value;
     value.kind = Node::Kind::kNumber;
     value.number = number;
-    if (number == static_cast<double>(static_cast<int>(number))) {
+    if (std::abs(number) <= std::numeric_limits<int>::max() && number == std::floor(number)) {
       value.kind = Node::Kind::kInteger;
       value.integer = static_cast<int>(number);
     }

@@ -50,7 +50,7 @@ std::string without_number(const std::string& name) {
   return end == std::string::npos || name[end] != ' ' ? name : name.substr(0, end);
 }
 
-/// What is known of one run.
+/// Losses of one run.
 struct RunLoss {
   std::size_t run = 0, record = 0, analysis_case = 0;
   double im = 0;

@@ -76,7 +76,7 @@ std::vector<report::SensitivityReport> sensitivities_of(const study::StudyData& 
   return reports;
 }
 
-/// Of the kinds of items of a scene as many as these are drawn.
+/// Most kinds of items of a scene that are drawn.
 constexpr std::size_t kMaxDrawn = 3;
 
 report::EquipmentFacts facts_of(const EquipmentModel& model, const Scene& scene) {

@@ -14,7 +14,7 @@
 
 namespace gurney::page {
 
-/// What a page is asked of.
+/// Options of a page.
 struct PageRequest {
   std::string file;  ///< of a study, of one run, or JSON of a calibration or a verification
   study::AssessmentRequest assessed_by{};  ///< of studies

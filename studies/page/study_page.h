@@ -54,7 +54,7 @@ Section study_time_step(const StudyPage& page);
 Section study_records(const StudyPage& page);
 Section study_methods(const StudyPage& page);
 
-// Of studies and of single runs.
+// Sections of studies and of single runs.
 Section assumptions_section(const study::FileOverview& file,
                             const std::optional<study::UndrawnRanges>& undrawn);
 Section provenance_section(const study::FileOverview& file, const std::string& job_text,
@@ -80,7 +80,7 @@ struct CaseColumn {
 /// runs are left out, but for the outcome.
 std::vector<CaseColumn> case_columns(const study::StudyData& data);
 
-/// As JSON that may stand in a page, with each number as the file has it.
+/// The columns as JSON that may stand in a page, with each number as the file has it.
 /// @param replay  the command that re-runs a case, but for its number
 std::string case_json(const std::vector<CaseColumn>& columns, const std::string& replay);
 

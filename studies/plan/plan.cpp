@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "engine/base/error.h"
+#include "engine/base/random/normal_draw.h"
 #include "studies/plan/stages.h"
 
 namespace gurney::study {
@@ -104,8 +105,7 @@ std::optional<SaltelliRow> Plan::row_of(std::size_t draw) const {
 
 std::size_t Plan::record_in_b(std::size_t configuration, std::uint64_t point) const {
   const double place = saltelli_draw(seed_, streams_->size(), *record_input_, {point, 1});
-  const std::size_t records = draws(configuration) / draws_;
-  return std::min(records - 1, static_cast<std::size_t>(place * static_cast<double>(records)));
+  return drawn_index(place, draws(configuration) / draws_);
 }
 
 std::optional<Draw> Plan::draw(const Task& task) const {

@@ -134,7 +134,8 @@ void add_zones(const Hdf5Reader& file, const RecordedRun& run, std::vector<Momen
                                                : std::vector<std::string>();
       const std::string who =
           inside.empty() ? "an item" : fmt::format("{}", fmt::join(inside, " and "));
-      const bool one = inside.size()<2, later = entries[i]> 0;
+      const bool one = inside.size() < 2;
+      const bool later = entries[i] > 0;
       all.push_back({entries[i], "zone", "",
                      fmt::format("{}: {} {}{}", names[i], who,
                                  later ? (one ? "enters" : "enter") : (one ? "is" : "are"),

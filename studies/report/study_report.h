@@ -58,7 +58,7 @@ struct MeasureReport {
 /// stays in 95 % of the resamples of records, and does not where another comes first in a fifth.
 std::string verdict(const study::MeasureChoice& choice);
 
-/// In SI unless units are chosen.
+/// Report on the choice of a measure, in SI unless units are chosen.
 findings::Section measure_findings(const MeasureReport& report);
 
 /// Report of `gurney sensitivity` on one configuration.
@@ -81,7 +81,7 @@ findings::Texts sensitivity_remarks(const study::StudySensitivity& found);
 /// "peak_tilt, brakes on: mean 3.2 deg, standard deviation 0.4 deg, 100 runs"
 std::string sensitivity_title(const SensitivityReport& report);
 
-/// In SI unless units are chosen.
+/// Report of a sensitivity analysis, in SI unless units are chosen.
 findings::Section sensitivity_findings(const SensitivityReport& report);
 
 }  // namespace gurney::report

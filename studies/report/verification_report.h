@@ -35,7 +35,7 @@ double used_of(const findings::Table& checks, std::size_t row);
 /// The page docs/verification_tables.md: closed forms, and every check of every case.
 std::string verification_markdown(const std::vector<verification::CaseRun>& runs);
 
-/// In SI unless units are chosen.
+/// Report of a convergence study, in SI unless units are chosen.
 findings::Section convergence_findings(const study::Convergence& found,
                                        const study::UnitSystem& units = {});
 

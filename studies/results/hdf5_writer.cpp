@@ -127,41 +127,28 @@ void Hdf5Writer::set_attribute(const std::string& object, const std::string& nam
   write_attribute(object, name, H5T_STD_U8LE, {values.size()}, values.data());
 }
 
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const double> values) {
-  write(spec, shape_of(spec), H5T_IEEE_F64LE, values.data(), values.size());
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape& shape, std::span<const double> values) {
+  write(spec, shape, H5T_IEEE_F64LE, values.data(), values.size());
 }
 
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::int64_t> values) {
-  write(spec, shape_of(spec), H5T_STD_I64LE, values.data(), values.size());
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape& shape,
+                       std::span<const std::int64_t> values) {
+  write(spec, shape, H5T_STD_I64LE, values.data(), values.size());
 }
 
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::uint8_t> values) {
-  write(spec, shape_of(spec), H5T_STD_U8LE, values.data(), values.size());
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape& shape,
+                       std::span<const std::uint8_t> values) {
+  write(spec, shape, H5T_STD_U8LE, values.data(), values.size());
 }
 
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::string> values) {
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape& shape,
+                       std::span<const std::string> values) {
   require_memory(size_of(values));
-  write(spec, shape_of(spec), text_type(), pointers(values).data(), values.size());
+  write(spec, shape, text_type(), pointers(values).data(), values.size());
 }
 
-void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const double> values,
-                            std::size_t length) {
-  write(spec, {length}, H5T_IEEE_F64LE, values.data(), values.size());
-}
-
-void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const std::int64_t> values,
-                            std::size_t length) {
-  write(spec, {length}, H5T_STD_I64LE, values.data(), values.size());
-}
-
-void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const std::string> values,
-                            std::size_t length) {
-  require_memory(size_of(values));
-  write(spec, {length}, text_type(), pointers(values).data(), values.size());
-}
-
-void Hdf5Writer::write(const Hdf5Spec& spec, const std::vector<std::uint64_t>& shape,
-                       std::int64_t type, const void* values, std::size_t count) {
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape& shape, std::int64_t type,
+                       const void* values, std::size_t count) {
   const std::string what = "write dataset " + spec.path;
   require_memory(count * sizeof(double));
   const std::vector<hsize_t> extent(shape.begin(), shape.end());

@@ -45,16 +45,16 @@ class Hdf5Writer {
   /// A 1-D dataset that is itself a dimension; spec.scales must be empty.
   template <class Values>
   void add_scale(const Hdf5Spec& spec, const Values& values) {
-    add_column(spec, values, values.size());
+    write(spec, {values.size()}, std::span<const typename Values::value_type>(values));
     make_scale(spec.path, values.size());
   }
 
   /// A dataset in row-major order, chunked, shuffled and deflated.
   /// @throws Error unless the scales' lengths multiply to the number of values.
-  void add(const Hdf5Spec& spec, std::span<const double> values);
-  void add(const Hdf5Spec& spec, std::span<const std::int64_t> values);
-  void add(const Hdf5Spec& spec, std::span<const std::uint8_t> values);
-  void add(const Hdf5Spec& spec, std::span<const std::string> values);
+  template <class Values>
+  void add(const Hdf5Spec& spec, const Values& values) {
+    write(spec, shape_of(spec), std::span<const typename Values::value_type>(values));
+  }
 
   /// A column that gets its values by append(). Without scales it is a scale itself.
   /// @param text_width  of kText: bytes of its longest value
@@ -74,11 +74,13 @@ class Hdf5Writer {
     std::string path;
     std::uint64_t length;
   };
-  void add_column(const Hdf5Spec& spec, std::span<const double> values, std::size_t length);
-  void add_column(const Hdf5Spec& spec, std::span<const std::int64_t> values, std::size_t length);
-  void add_column(const Hdf5Spec& spec, std::span<const std::string> values, std::size_t length);
-  void write(const Hdf5Spec& spec, const std::vector<std::uint64_t>& shape, std::int64_t type,
-             const void* values, std::size_t count);
+  using Shape = std::vector<std::uint64_t>;
+  void write(const Hdf5Spec& spec, const Shape& shape, std::span<const double> values);
+  void write(const Hdf5Spec& spec, const Shape& shape, std::span<const std::int64_t> values);
+  void write(const Hdf5Spec& spec, const Shape& shape, std::span<const std::uint8_t> values);
+  void write(const Hdf5Spec& spec, const Shape& shape, std::span<const std::string> values);
+  void write(const Hdf5Spec& spec, const Shape& shape, std::int64_t type, const void* values,
+             std::size_t count);
   void write_attribute(const std::string& object, const std::string& name, std::int64_t type,
                        const std::vector<std::uint64_t>& shape, const void* value);
   std::vector<std::uint64_t> shape_of(const Hdf5Spec& spec) const;

@@ -168,7 +168,7 @@ struct Work {
 void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const StageLevels& levels,
                int threads) {
   std::mutex collecting, writing;  // a thread that waits for the disk holds up no other
-  parallel_for(tasks.size(), threads, [&](std::size_t i) {
+  const auto run_one = [&](std::size_t i) {
     if (!work.go_on()) return;
     const Task task = work.batch.plan.task(tasks[i]);
     const double before = cpu_seconds();
@@ -183,7 +183,16 @@ void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const St
     }
     const std::lock_guard lock(writing);
     work.folder.add(part);
-  });
+  };
+  try {
+    parallel_for(tasks.size(), threads, run_one);
+  } catch (...) {
+    try {
+      work.folder.add(work.collector.take());  // what is finished is kept
+    } catch (...) {  // NOLINT(bugprone-empty-catch): the first error says why
+    }
+    throw;
+  }
   work.folder.add(work.collector.take());
 }
 

@@ -174,6 +174,13 @@ std::string kept_name(const KeptMeasure& kept) {
 
 constexpr std::size_t kLongestOutcome = 12, kLongestCause = 512;
 
+/// The first kLongestCause bytes of a text, less a character of UTF-8 that they would cut.
+std::string shortened(const std::string& text) {
+  std::size_t end = std::min(text.size(), kLongestCause);
+  while (end < text.size() && (text[end] & 0xC0) == 0x80) --end;
+  return text.substr(0, end);
+}
+
 /// The tables of a study's file that have rows for each run: in each the run, labels, and the
 /// columns of one or several structs.
 class RunTables {
@@ -329,13 +336,12 @@ void RunTables::add_run(const TaskResult& result, const Task& task, const StudyR
              static_cast<long>(task.replica), run,
              batch_.motions.set_of(task.configuration).ground(task.record).source});
   for (const std::string& warning : run.warnings)
-    begin("warnings", {warning.substr(0, kLongestCause)})->end_row();
+    begin("warnings", {shortened(warning)})->end_row();
   const ConfigurationNames& names = names_[task.configuration];
   if (is_failure(run.response.outcome)) {
-    begin("failures", {run.response.cause.substr(0, kLongestCause)})->end_row();
+    begin("failures", {shortened(run.response.cause)})->end_row();
   } else {
-    if (!run.response.cause.empty())
-      begin("warnings", {run.response.cause.substr(0, kLongestCause)})->end_row();
+    if (!run.response.cause.empty()) begin("warnings", {shortened(run.response.cause)})->end_row();
     add_items(run, names);
     add_events(run.response, names);
   }

@@ -13,6 +13,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
+#include "studies/statistics/profile.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::statistics {
@@ -158,10 +159,11 @@ std::vector<Interval> distribution_free_band(const StripeTable& table,
         hits_below += below->exceeded / below->runs;
       }
     }
-    // Fractions of a hit are rounded to the wider side.
-    const auto upper = proportion_interval(static_cast<int>(std::ceil(hits_above)),
+    // Fractions of a hit are rounded to the wider side; the rounding of their sum is no fraction.
+    constexpr double kRounding = 1e-9;
+    const auto upper = proportion_interval(static_cast<int>(std::ceil(hits_above - kRounding)),
                                            static_cast<int>(runs_above), confidence);
-    const auto lower = proportion_interval(static_cast<int>(std::floor(hits_below)),
+    const auto lower = proportion_interval(static_cast<int>(std::floor(hits_below + kRounding)),
                                            static_cast<int>(runs_below), confidence);
     band.push_back({lower.low, upper.high});
   }
@@ -184,41 +186,6 @@ MedianBounds median_bounds(const StripeTable& table, double confidence) {
   return bounds.low < bounds.high ? bounds : MedianBounds{};  // else the probability falls
 }
 
-namespace {
-
-using Direction = Eigen::Vector2d;
-
-/// Largest likelihood on the line `point` + c `along` in (slope, intercept).
-double best_on(const std::vector<Stripe>& stripes, const Eigen::Vector2d& point,
-               const Direction& along) {
-  const auto function = [&](const Eigen::Matrix<double, 1, 1>& c) {
-    const Quadratic<2> full = binomial_likelihood(stripes, point + c[0] * along);
-    Quadratic<1> restricted{full.value, {}, {}};
-    restricted.gradient[0] = full.gradient.dot(along);
-    restricted.curvature(0, 0) = along.dot(full.curvature * along);
-    return restricted;
-  };
-  return maximize<1>(function, Eigen::Matrix<double, 1, 1>(0.0)).at.value;
-}
-
-/// The distance from 0, in the direction of `step`, at which `drop` rises through `limit`; infinite
-/// if it has not within 1000 steps' length.
-double crossing(const std::function<double(double)>& drop, double limit, double step) {
-  double inside = 0, outside = step;
-  while (!(drop(outside) > limit)) {
-    inside = outside;
-    outside *= 2;
-    if (std::abs(outside) > 1000 * std::abs(step)) return std::copysign(kInfinity, step);
-  }
-  for (int i = 0; i < 50; ++i) {
-    const double middle = (inside + outside) / 2;
-    (drop(middle) > limit ? outside : inside) = middle;
-  }
-  return (inside + outside) / 2;
-}
-
-}  // namespace
-
 std::optional<ProfileIntervals> profile_intervals(const StripeTable& table, double confidence,
                                                   bool by_group) {
   const std::vector<Stripe>& stripes = table.stripes();
@@ -238,14 +205,17 @@ std::optional<ProfileIntervals> profile_intervals(const StripeTable& table, doub
   }
   const double log_theta = std::log(fit.curve().theta);
   // theta fixed: slope (ln im - ln theta) with any slope; beta fixed: slope fixed, any intercept.
+  const auto drop_on = [&](const Eigen::Vector2d& point, const Eigen::Vector2d& along) {
+    const auto likelihood = [&](const Eigen::Vector2d& line) {
+      return binomial_likelihood(stripes, line);
+    };
+    return 2 * (fit.log_likelihood - largest_on_line(likelihood, point, along, 0));
+  };
   const auto drop_theta = [&](double d) {
-    const Direction along(1, -(log_theta + d));
-    return 2 * (fit.log_likelihood - best_on(stripes, fit.line[0] * along, along));
+    const Eigen::Vector2d along(1, -(log_theta + d));
+    return drop_on(fit.line[0] * along, along);
   };
-  const auto drop_beta = [&](double d) {
-    const Eigen::Vector2d line = fit.line * std::exp(-d);
-    return 2 * (fit.log_likelihood - best_on(stripes, line, Direction(0, 1)));
-  };
+  const auto drop_beta = [&](double d) { return drop_on(fit.line * std::exp(-d), {0, 1}); };
   const auto interval = [&](const auto& drop, int parameter, double center) {
     const double limit = quantile * inflation[parameter];
     const double step = std::sqrt(plain(parameter, parameter) * inflation[parameter]);

@@ -12,6 +12,7 @@
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/censored_normal.h"
+#include "studies/statistics/profile.h"
 #include "studies/statistics/special.h"
 
 namespace gurney::statistics {
@@ -128,8 +129,6 @@ CapacityFit fit_capacities(const std::vector<Capacity>& capacities) {
 
 namespace {
 
-constexpr double kFarthest = 1e3;  // of an end, in standard errors
-constexpr int kHalvings = 30;
 using Direction = Eigen::Vector2d;
 
 /// The likelihood in m = mu / sigma and h = 1 / sigma, mu = ln theta and sigma = beta.
@@ -145,15 +144,12 @@ class Likelihood {
 
   /// Twice the ln of the likelihood ratio of the best against the best on `point` + c `along`.
   double drop(const Eigen::Vector2d& point, const Direction& along) const {
-    const auto function = [&](const Eigen::Matrix<double, 1, 1>& c) {
-      const auto full = censored_normal_likelihood(design_, values_, point + c[0] * along);
-      Quadratic<1> restricted{full.value, {}, {}};
-      restricted.gradient[0] = full.gradient.dot(along);
-      restricted.curvature(0, 0) = along.dot(full.curvature * along);
-      return restricted;
+    const auto likelihood = [&](const Eigen::Vector2d& at) -> Quadratic<2> {
+      const auto full = censored_normal_likelihood(design_, values_, at);
+      return {full.value, full.gradient, full.curvature};
     };
     const double start = along.dot(best_ - point) / along.squaredNorm();
-    return 2 * (highest_ - maximize<1>(function, Eigen::Matrix<double, 1, 1>(start)).at.value);
+    return 2 * (highest_ - largest_on_line(likelihood, point, along, start));
   }
 
   /// With the score h ln im - m held.
@@ -171,21 +167,6 @@ class Likelihood {
   Eigen::Vector2d best_;
   double highest_;
 };
-
-/// The distance from 0, in the direction of `step`, at which `drop` rises through `limit`.
-double crossing(const std::function<double(double)>& drop, double limit, double step) {
-  double inside = 0, outside = step;
-  while (!(drop(outside) > limit)) {
-    inside = outside;
-    outside *= 2;
-    if (std::abs(outside) > kFarthest * std::abs(step)) return std::copysign(kInfinity, step);
-  }
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (inside + outside) / 2;
-    (drop(middle) > limit ? outside : inside) = middle;
-  }
-  return (inside + outside) / 2;
-}
 
 /// The likelihood ratios of n exact capacities at the ends of their exact intervals.
 struct Limits {

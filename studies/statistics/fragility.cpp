@@ -81,7 +81,7 @@ struct Extremes {
   }
 };
 
-/// Likelihood of k successes in n at the one im of a quasi-separated fit.
+/// ln of the likelihood of k successes in n at the one im of a quasi-separated fit.
 double best_log_likelihood_at(double im, const std::vector<Stripe>& stripes) {
   for (const Stripe& stripe : stripes) {
     if (stripe.im != im || stripe.exceeded == 0 || stripe.exceeded == stripe.runs) continue;
@@ -211,8 +211,11 @@ ProbitFit fit_line(const std::vector<Stripe>& stripes,
   if (at.highest_miss == at.lowest_hit)
     return without_line(FragilityStatus::kQuasiSeparated, at.lowest_hit, at.lowest_hit,
                         best_log_likelihood_at(at.lowest_hit, stripes));
-  if (at.highest_hit <= at.lowest_miss)
+  if (at.highest_hit < at.lowest_miss)
     return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity);
+  if (at.highest_hit == at.lowest_miss)
+    return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity,
+                        best_log_likelihood_at(at.lowest_miss, stripes));
 
   double runs = 0, sum = 0, squares = 0;
   for (const Stripe& stripe : stripes) {

@@ -48,7 +48,7 @@ std::vector<double> ranks_of(const std::vector<double>& sample) {
 MedianInterval median_interval(std::vector<double> sample, double confidence) {
   std::ranges::sort(sample);
   const int n = static_cast<int>(sample.size());
-  int k = 0;  // how many values on either side are outside
+  int k = 0;  // the interval is from the k-th smallest to the k-th largest value; 0: unbounded
   while (2 * (k + 1) <= n && 2 * binomial_cdf(k, n, 0.5) <= 1 - confidence) ++k;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (k == 0) return {quantile_of(sample, 0.5), {-kInfinity, kInfinity}};

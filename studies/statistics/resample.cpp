@@ -12,10 +12,8 @@ namespace gurney::statistics {
 
 std::vector<int> resampled_times(std::size_t groups, std::uint64_t seed, std::uint64_t sample) {
   std::vector<int> times(groups, 0);
-  for (std::size_t i = 0; i < groups; ++i) {
-    const double u = uniform_draw(seed, sample, i);
-    ++times[std::min(groups - 1, static_cast<std::size_t>(u * static_cast<double>(groups)))];
-  }
+  for (std::size_t i = 0; i < groups; ++i)
+    ++times[drawn_index(uniform_draw(seed, sample, i), groups)];
   return times;
 }
 

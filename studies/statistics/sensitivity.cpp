@@ -26,10 +26,8 @@ Rows all_rows(std::size_t n) {
 
 Rows drawn_rows(std::size_t n, std::uint64_t seed, int resample) {
   Rows rows(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double u = uniform_draw(seed, static_cast<std::uint64_t>(resample), i);
-    rows[i] = std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    rows[i] = drawn_index(uniform_draw(seed, static_cast<std::uint64_t>(resample), i), n);
   return rows;
 }
 

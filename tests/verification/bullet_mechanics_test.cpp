@@ -12,6 +12,7 @@
 #include "engine/bullet/multibody_item.h"
 #include "engine/solver/mechanism.h"
 #include "studies/verification/scenes/small_scenes.h"
+#include "tests/support/caster_matrices.h"
 
 // The mechanics of engine/caster/caster_dynamics.h (mass matrix, bias, contact Jacobian) against
 // Bullet's own reduced-coordinate multibody (Featherstone's articulated-body algorithm), at random
@@ -84,9 +85,9 @@ class BulletMechanics : public testing::Test {
 
   void evaluate(const State& state) {
     for (std::size_t i = 0; i < 4; ++i)
-      mechanism_.casters[i].evaluate(state.pose(), state.casters[i].swivel_angle,
-                                     state.velocity.chassis, state.velocity.joints[i], gravity_,
-                                     casters_[i]);
+      casters_[i] =
+          caster_matrices(mechanism_.casters[i], state.pose(), state.casters[i].swivel_angle,
+                          state.velocity.chassis, state.velocity.joints[i], gravity_);
   }
 
   static Vector velocity_of(const State& state) {
@@ -103,7 +104,7 @@ class BulletMechanics : public testing::Test {
   MultibodyItem item_;
   std::mt19937 random_{7};
   Vector3 gravity_{0.7, -1.3, -9.0};
-  std::array<CasterDynamics::Geometry, 4> casters_;
+  std::array<CasterMatrices, 4> casters_;
 };
 
 TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
@@ -135,7 +136,7 @@ TEST_F(BulletMechanics, AccelerationsAgreeUnderRandomForces) {
 
     for (int i = 0; i < 4; ++i) {
       const auto caster = static_cast<std::size_t>(i);
-      const CasterDynamics::Geometry& g = casters_[caster];
+      const CasterMatrices& g = casters_[caster];
       const int joint = 6 + 2 * i;
       mass.topLeftCorner<6, 6>() += g.mass_chassis;
       mass.block<6, 2>(0, joint) = g.mass_coupling;
@@ -186,7 +187,7 @@ TEST_F(BulletMechanics, ContactJacobianAgrees) {
     ASSERT_EQ(dofs, 7);  // one caster does not swivel
     for (int i = 0; i < 4; ++i) {
       const auto caster = static_cast<std::size_t>(i);
-      const CasterDynamics::Geometry& g = casters_[caster];
+      const CasterMatrices& g = casters_[caster];
       const Vector3 point = state.position + g.contact;
       for (int axis = 0; axis < 3; ++axis) {
         std::vector<btScalar> row(static_cast<std::size_t>(6 + dofs), 0.0);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace gurney {
@@ -10,6 +12,11 @@ namespace gurney {
 /// Philox 4x64-10 (Salmon, Moraes, Dror & Shaw 2011, SC'11) with the key (seed, stream) and the
 /// counter (index, 0, 0, 0): the middle of the cell given by the upper 53 bits of its first word.
 double uniform_draw(std::uint64_t seed, std::uint64_t stream, std::uint64_t index);
+
+/// The index below `count` that a uniform number in (0, 1) chooses, each as often as any other.
+inline std::size_t drawn_index(double u, std::size_t count) {
+  return std::min(count - 1, static_cast<std::size_t>(u * static_cast<double>(count)));
+}
 
 /// Standard normal draw: uniform_draw() through normal_quantile().
 double normal_draw(std::uint64_t seed, std::uint64_t stream, std::uint64_t index);

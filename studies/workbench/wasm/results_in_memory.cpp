@@ -58,20 +58,18 @@ void Hdf5Writer::set_attribute(const std::string& object, const std::string& nam
 }
 void Hdf5Writer::set_attribute(const std::string&, const std::string&,
                                const std::vector<std::uint8_t>&) {}
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const double> v) { put(spec.path, v); }
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::int64_t> v) { put(spec.path, v); }
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::uint8_t> v) { put(spec.path, v); }
-void Hdf5Writer::add(const Hdf5Spec& spec, std::span<const std::string> v) {
+std::vector<std::uint64_t> Hdf5Writer::shape_of(const Hdf5Spec&) const { return {}; }
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape&, std::span<const double> v) {
+  put(spec.path, v);
+}
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape&, std::span<const std::int64_t> v) {
+  put(spec.path, v);
+}
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape&, std::span<const std::uint8_t> v) {
+  put(spec.path, v);
+}
+void Hdf5Writer::write(const Hdf5Spec& spec, const Shape&, std::span<const std::string> v) {
   file().columns[spec.path] = Texts(v.begin(), v.end());
-}
-void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const double> v, std::size_t) {
-  add(spec, v);
-}
-void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const std::int64_t> v, std::size_t) {
-  add(spec, v);
-}
-void Hdf5Writer::add_column(const Hdf5Spec& spec, std::span<const std::string> v, std::size_t) {
-  add(spec, v);
 }
 void Hdf5Writer::make_scale(const std::string&, std::uint64_t) {}
 std::string Hdf5Writer::image() { return {}; }

@@ -11,6 +11,7 @@
 #include "engine/caster/caster_energy.h"
 #include "engine/caster/contact_jacobian.h"
 #include "studies/verification/scenes/small_scenes.h"
+#include "tests/support/caster_matrices.h"
 
 // The mass matrix, bias and contact Jacobian of a caster against an independent sum over its parts:
 // the fork and the wheel as two rigid bodies, each moved by plain kinematics.
@@ -84,11 +85,9 @@ std::array<Part, 2> parts(const Caster& c, const Motion& m) {
          fork_spin + m.rates[1] * fork.col(1), Vector3(t, c.wheel_axial_inertia, t).asDiagonal())};
 }
 
-CasterDynamics::Geometry geometry(const CasterDynamics& dynamics, const Motion& m,
-                                  const Vector3& gravity = Vector3::Zero()) {
-  CasterDynamics::Geometry g;
-  dynamics.evaluate(m.pose, m.swivel_angle, m.velocity, m.rates, gravity, g);
-  return g;
+CasterMatrices geometry(const CasterDynamics& dynamics, const Motion& m,
+                        const Vector3& gravity = Vector3::Zero()) {
+  return caster_matrices(dynamics, m.pose, m.swivel_angle, m.velocity, m.rates, gravity);
 }
 
 CasterEnergy<double> energy(const CasterDynamics& dynamics, const Motion& m,

@@ -22,26 +22,73 @@ Tread tread() {
 
 TreadLaw law() { return TreadLaw(tread(), kRadius); }
 
+using Matrix5 = Eigen::Matrix<double, 5, 5>;
+
+struct Stage {
+  double compression = 1e-3;  ///< at zero u_z
+  double rolling_speed = 0;
+  TreadState start;
+  double tau = kTau;
+};
+
 /// A stage that ends at this compression when the wheel does not move vertically.
-TreadLaw::Stage stage(double compression = 1e-3, double rolling_speed = 0) {
-  TreadLaw::Stage s;
-  s.tau = kTau;
-  s.compression = compression;
-  s.rolling_speed = rolling_speed;
-  return s;
+Stage stage(double compression = 1e-3, double rolling_speed = 0) {
+  return {.compression = compression, .rolling_speed = rolling_speed, .start = {}};
+}
+
+TreadStage<double> inputs(const TreadLaw& of, const Stage& s) {
+  TreadStage<double> result;
+  result.tau = s.tau;
+  result.compression = s.compression;
+  result.mu = of.friction(s.start);
+  result.deflection = splat<double>(s.start.deflection);
+  result.roll_deflection = s.start.roll_deflection;
+  result.set_rolling(of.constants(), s.rolling_speed);
+  return result;
+}
+
+TreadRates<double> of_vector(const Vector5& u) { return {{u[0], u[1], u[3]}, u[2], u[4]}; }
+
+/// f(u); `slope` becomes -df/du.
+Vector5 force(const TreadLaw& of, const Stage& s, const Vector5& u, Matrix5& slope) {
+  TreadForce<double> f;
+  TreadSlope<double> d;
+  tread_force(of.constants(), inputs(of, s), of_vector(u), f, d);
+  const auto& [x, y, z] = d.patch;
+  slope << x.x, y.x, d.by_normal.x, z.x, 0,  //
+      x.y, y.y, d.by_normal.y, z.y, 0,       //
+      0, 0, d.normal, 0, 0,                  //
+      x.z, y.z, d.by_normal.z, z.z, 0,       //
+      0, 0, d.roll_by_normal, 0, d.roll;
+  return (Vector5() << f.patch.x, f.patch.y, f.normal, f.patch.z, f.roll).finished();
 }
 
 Vector5 rates(double x, double y, double z, double spin = 0, double roll = 0) {
   return (Vector5() << x, y, z, spin, roll).finished();
 }
 
-Vector5 force(const TreadLaw::Stage& s, const Vector5& u, const TreadLaw& of = law()) {
+Vector5 force(const Stage& s, const Vector5& u, const TreadLaw& of = law()) {
   Matrix5 slope;
-  return of.force(s, u, slope);
+  return force(of, s, u, slope);
 }
 
-TreadLaw::Result finish(const TreadLaw::Stage& s, const Vector5& u, const TreadLaw& of = law()) {
-  return of.finish(s, u, force(s, u, of));
+TreadLaw::Result finish(const Stage& s, const Vector5& u, const TreadLaw& of = law()) {
+  const Vector5 f = force(s, u, of);
+  const auto o = tread_outcome(of.constants(), inputs(of, s), of_vector(u),
+                               TreadForce<double>{{f[0], f[1], f[3]}, f[2], f[4]});
+  return {.force = f,
+          .end = {.deflection = {o.deflection.x, o.deflection.y, o.deflection.z},
+                  .roll_deflection = o.roll_deflection,
+                  .sliding = o.slides,
+                  .rolling = o.rolls},
+          .compression = o.compression,
+          .compression_rate = o.compression_rate,
+          .sliding_power = o.sliding_power,
+          .rolling_power = o.rolling_power,
+          .relaxation_power = o.relaxation_power,
+          .damping_power = o.damping_power,
+          .slip_speed = o.slip_speed,
+          .spring_rates = o.spring_rates};
 }
 
 double patch_force(const Vector5& f) { return std::hypot(f[0], f[1], f[3]); }
@@ -188,13 +235,13 @@ TEST(TreadLaw, RollingResistanceIsBoundedAndOpposesTheRoll) {
 }
 
 /// -df/du by central differences, largest deviation relative to the largest slope.
-double slope_error(const TreadLaw& l, const TreadLaw::Stage& s, const Vector5& u) {
+double slope_error(const TreadLaw& l, const Stage& s, const Vector5& u) {
   Matrix5 slope, ignored, numeric;
-  l.force(s, u, slope);
+  force(l, s, u, slope);
   const double step = 1e-7;
   for (int k = 0; k < 5; ++k) {
     const Vector5 d = step * Vector5::Unit(k);
-    numeric.col(k) = -(l.force(s, u + d, ignored) - l.force(s, u - d, ignored)) / (2 * step);
+    numeric.col(k) = -(force(l, s, u + d, ignored) - force(l, s, u - d, ignored)) / (2 * step);
   }
   return (slope - numeric).cwiseAbs().maxCoeff() / std::max(slope.cwiseAbs().maxCoeff(), 1.0);
 }

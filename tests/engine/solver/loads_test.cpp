@@ -169,6 +169,14 @@ TEST(Loads, AWeightLandsAtItsDropHeight) {
   EXPECT_EQ(end.weights[0].speed, 0) << "it rests";
 }
 
+TEST(Loads, ASlackCableStaysSlackWhenItsWeightLands) {
+  Evaluation e;
+  e.weight().fall = 0.4;
+  e.weight().stretch = -0.02;
+  e.loads.land(e.state);
+  EXPECT_EQ(e.weight().stretch, -0.02);
+}
+
 TEST(Loads, BlocksLetGoAtTheirTime) {
   Evaluation e;
   e.velocity << 0.1, -0.2, 0, 0, 0, 0;

@@ -43,7 +43,7 @@ std::vector<SyntheticRun> ruled_by_pfv(std::size_t records, double sigma) {
 
 TEST_F(MeasureChoiceTest, FindsTheMeasureThatRules) {
   const StudyData study = data(ruled_by_pfv(40, 0.3), 40);
-  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  const MeasureChoice choice = rank_measures({&study, 0}, 0);
   ASSERT_EQ(choice.rows.front().name, "pfv");
   // 80 runs: standard errors 0.3 / sqrt(160) = 0.024 of sigma, 0.3 / sqrt(80) = 0.034 of b; four of
   // them.
@@ -60,7 +60,7 @@ TEST_F(MeasureChoiceTest, MeasuresInOneProportionAreEquallyGood) {
   std::vector<SyntheticRun> runs = ruled_by_pfv(20, 0.3);
   for (SyntheticRun& run : runs) run.pfv = 0.1 * run.level;  // as pfa and PGA h1
   const StudyData study = data(runs, 20);
-  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  const MeasureChoice choice = rank_measures({&study, 0}, 0);
   EXPECT_EQ(choice.ties, 2);
   EXPECT_THAT(report::verdict(choice),
               HasSubstr("as good as pfa, pfv, to which it is proportional"));
@@ -71,7 +71,7 @@ TEST_F(MeasureChoiceTest, MeasuresThatSomeRunsLackRankBehind) {
   std::vector<SyntheticRun> runs = ruled_by_pfv(20, 0.3);
   runs.back().pfv = std::nan("");
   const StudyData study = data(runs, 20);
-  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  const MeasureChoice choice = rank_measures({&study, 0}, 0);
   ASSERT_EQ(choice.rows.size(), 3);
   EXPECT_EQ(choice.rows[0].left_out, 0);
   EXPECT_EQ(choice.rows[1].left_out, 0);
@@ -83,7 +83,7 @@ TEST_F(MeasureChoiceTest, MeasuresThatSomeRunsLackRankBehind) {
 TEST_F(MeasureChoiceTest, NoiseSettlesNothing) {
   std::vector<SyntheticRun> runs = ruled_by_pfv(10, 3);
   const StudyData study = data(runs, 10);
-  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  const MeasureChoice choice = rank_measures({&study, 0}, 0);
   EXPECT_LT(choice.stays_best, 0.95);
   EXPECT_THAT(report::verdict(choice), testing::Not(HasSubstr("matters")));
 }
@@ -93,7 +93,7 @@ TEST_F(MeasureChoiceTest, FallenAndResettingRunsAreCensored) {
   runs[0].fell = true;
   runs[1].displacement = 0;
   const StudyData study = data(runs, 20);
-  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  const MeasureChoice choice = rank_measures({&study, 0}, 0);
   EXPECT_EQ(choice.overturned, 1);
   EXPECT_EQ(choice.at_floor, 1);
   EXPECT_DOUBLE_EQ(choice.floor, 1e-4);  // of the limit, 0.1 m
@@ -114,7 +114,7 @@ std::vector<SyntheticRun> ruled_by_magnitude() {
 
 TEST_F(MeasureChoiceTest, MagnitudesOfAllRunsAreTested) {
   const StudyData study = data(ruled_by_magnitude(), 40);
-  const MeasureChoice choice = choose_measure({&study, 0}, 0);
+  const MeasureChoice choice = rank_measures({&study, 0}, 0);
   ASSERT_THAT(choice.properties, testing::ElementsAre("factor on the record", "magnitude"));
   // ln demand scatters by 0.1 about a slope of 1: 50 standard errors and more in 80 runs.
   EXPECT_LT(choice.rows.front().sufficiency[1], 1e-6);
@@ -127,13 +127,13 @@ TEST_F(MeasureChoiceTest, MagnitudesOfSomeRunsAreNot) {
   std::vector<SyntheticRun> runs = ruled_by_magnitude();
   runs.back().magnitude = std::nan("");
   const StudyData study = data(runs, 40);
-  EXPECT_EQ(choose_measure({&study, 0}, 0).properties.size(), 1);
+  EXPECT_EQ(rank_measures({&study, 0}, 0).properties.size(), 1);
 }
 
 TEST_F(MeasureChoiceTest, EventsHaveNoSize) {
   const StudyData study = data(ruled_by_pfv(5, 0.3), 5);
   EXPECT_THAT(sized_states(study), testing::ElementsAre(0));
-  EXPECT_ERROR(choose_measure({&study, 0}, 1), "a cloud needs a demand above a limit");
+  EXPECT_ERROR(rank_measures({&study, 0}, 1), "a cloud needs a demand above a limit");
 }
 
 }  // namespace

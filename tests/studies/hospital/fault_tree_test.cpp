@@ -89,6 +89,8 @@ TEST(Requirement, ErrorsSayWhere) {
   EXPECT_EQ(error("al(bed)"), "at character 1: 'al(': is no gate; did you mean 'all'?");
   EXPECT_EQ(error("at_least(0, bed)"),
             "at character 10: '0': at_least begins with a whole number from 1 on");
+  EXPECT_EQ(error("at_least(1e30, bed)"),
+            "at character 10: '1e30': at_least begins with a whole number from 1 on");
   EXPECT_EQ(error("all(\"bed)"), "at character 5: a quote that does not end");
   EXPECT_THAT(error(std::string(std::string(4 * 70, ' ')).c_str()), HasSubstr("a name must"));
   std::string deep;

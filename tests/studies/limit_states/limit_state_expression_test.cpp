@@ -23,6 +23,7 @@ TEST(LimitStateExpression, ReadsDemandsWithTheirUnits) {
   EXPECT_EQ(count.limit, 2);
   EXPECT_EQ(count.words, "impacts > 2");
   EXPECT_EQ(read("largest_impulse > 3 N s").limit, 3);
+  EXPECT_EQ(read("peak_normal_force > 1e10 N").limit, 1e10);
 }
 
 template <class Columns>

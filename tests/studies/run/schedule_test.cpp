@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/base/error.h"
 #include "studies/run/run_batch.h"
 #include "studies/run/shard_status.h"
 #include "studies/run/study_identity.h"
@@ -76,6 +77,24 @@ TEST(Schedule, KeepsTwoThreadsBusyToTheEnd) {
   EXPECT_EQ(all.runs, 40u);
   EXPECT_NEAR(all.seconds, cpu_seconds, 1e-9);
   EXPECT_GT(status[0].runs_per_second, 0);
+}
+
+// An error ends a batch, such as that of a full disk: cases that have ended are in the folder.
+TEST(RunBatch, KeepsWhatEndedBeforeAnError) {
+  const TempFolder temp;
+  const SmallStudy study(kForty);
+  PartFolder folder(temp.file("parts"), identity_of(study.batch), 40, PartFolder::Start::kNew);
+  const CrashLog crashes(temp.file("crashes"));
+  int asked = 0;
+  const auto fails = [&] {
+    if (++asked > 20) throw Error("no space left");
+    return true;
+  };
+  EXPECT_THROW(run_batch(study.batch, folder, crashes, {}, 1, fails, [](const auto&) {}), Error);
+  std::size_t kept = 0;
+  for (std::size_t task = 0; task < study.plan.tasks(); ++task) kept += folder.has(task);
+  EXPECT_GT(kept, 0u);
+  EXPECT_LT(kept, 40u);
 }
 
 }  // namespace

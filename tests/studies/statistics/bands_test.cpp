@@ -271,6 +271,21 @@ TEST(MedianBounds, CountRecordsAndNotRuns) {
   EXPECT_FALSE(median_bounds(StripeTable(seen)).known());
 }
 
+// 7, 1 and 2 of 10 runs of three records are one hit, whatever the sum of the fractions is rounded to.
+TEST(DistributionFreeBand, DoesNotDependOnTheOrderOfRecords) {
+  const auto band_of = [](const std::vector<int>& hits) {
+    std::vector<Observation> seen;
+    for (std::size_t record = 0; record < hits.size(); ++record)
+      for (int run = 0; run < 10; ++run) seen.push_back({1, run < hits[record], record});
+    return distribution_free_band(StripeTable(seen), {1}).front();
+  };
+  const Interval one = proportion_interval(1, 3, 0.95);
+  for (const std::vector<int>& order : {std::vector{7, 1, 2}, {2, 1, 7}, {1, 2, 7}, {7, 2, 1}}) {
+    EXPECT_EQ(band_of(order).low, one.low);
+    EXPECT_EQ(band_of(order).high, one.high);
+  }
+}
+
 TEST(DistributionFreeBand, CoversAtLeastAsOftenAsItSays) {
   const SyntheticStudy study{.records = 10, .correlation = 1};
   std::vector<int> covered(kProbabilities.size());
