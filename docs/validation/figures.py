@@ -183,7 +183,7 @@ def p58(results, figures):
                 x = depth / height * shift
                 if curve["status"] != "fitted":
                     continue
-                low, high = (min(max(v, 0.2), 4) for v in curve["theta_interval"])
+                low, high = (min(max(math.inf if v is None else v, 0.2), 4) for v in curve["theta_interval"])
                 figure.line([place(x, low), place(x, high)], color, 1)
                 theta = curve["curve"]["theta"]
                 if theta < 4:
