@@ -76,8 +76,8 @@ class Recorder {
   // The item's origin relative to the chassis' centre, chassis axes; of a part its centre.
   Vector3 origin_;
   Vector3 origin_start_;
-  // Of a part its centre of mass, item axes. Of a part and of what stands on it: where that has
-  // settled, from where its origin was placed and less what the whole item settles.
+  // tracked_: centre of mass of a part, item axes. settled_: place of that point, or of the origin of what
+  // stands on a part, once settled, from where the origin was placed and less what the whole item settles.
   Vector3 tracked_ = Vector3::Zero(), settled_ = Vector3::Zero();
   double yaw_start_, yaw_;
   bool has_overturned_ = false;

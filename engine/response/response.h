@@ -54,7 +54,7 @@ struct PointSample {
 struct Sample {
   double time = 0;
   Vector3 displacement = Vector3::Zero();
-  /// Of a part: from there to where the displacement of its origin, since it was placed, ends [m].
+  /// Way from there to where the displacement of a part's origin, since it was placed, ends [m].
   Vector3 to_origin = Vector3::Zero();
   Vector3 velocity = Vector3::Zero();
   Vector3 acceleration = Vector3::Zero();  ///< relative to the floor [m/s2]
@@ -67,7 +67,7 @@ struct Sample {
   std::vector<PointSample> points;  ///< one for each marked point
   EnergyAccount energy;
 
-  /// Of the item's origin, from where it was placed; what the whole item settles left out.
+  /// Displacement of the item's origin from where it was placed; what the whole item settles left out.
   Vector3 origin_displacement() const { return displacement + to_origin; }
 };
 

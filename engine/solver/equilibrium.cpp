@@ -143,7 +143,7 @@ std::optional<std::size_t> unstable_joint(const Assembly& standing, const Scene&
                                           const SceneState& rest) {
   const std::vector<FreeDirection> ways = free_directions(standing, rest);
   const auto count = static_cast<Eigen::Index>(ways.size());
-  if (count == 0) return {};
+  if (count == 0 || level.gravity == 0) return {};  // without weights nothing falls
   Eigen::MatrixXd potential = Eigen::MatrixXd::Zero(count, count), mass = potential;
   const auto add = [&](std::size_t body, const Vector3& there, double weight,
                        const Matrix3& inertia) {

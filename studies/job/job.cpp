@@ -78,6 +78,7 @@ std::optional<Vector2> rigid_center(const Scene& scene, std::size_t item) {
 /// @param places  where the items of the job are named
 void check_standing(const std::vector<config::Spot>& places, const Scene& scene,
                     equipment::Sampler& of) {
+  if (scene.gravity == 0) return;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::optional<Vector2> center = rigid_center(scene, i);
     if (!center) continue;

@@ -273,7 +273,7 @@ TEST(Parts, AChainHangsAndDoesNotStand) {
   EXPECT_TRUE(rests(-1, 4 * weight, 4 * weight));
 }
 
-// Of a part the histories have the displacement of its centre of mass: its origin follows from its orientation. A bag
+// Histories of a part have the displacement of its centre of mass: its origin follows from its orientation. A bag
 // that hangs obliquely where it is placed settles by 45 degrees; then it swings. The joint yields by less than 10 um.
 TEST(Parts, OriginsStayAtTheirJoints) {
   Scene scene = held_block();

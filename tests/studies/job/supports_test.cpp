@@ -76,6 +76,7 @@ TEST(Supports, HoldTheCentreOfMassOfWhatStands) {
       HasSubstr("'block' does not stand on its feet: its centre of mass is 30 mm outside of "
                 "their support, towards 0 degrees from its front; must be inside"));
   EXPECT_THAT(errors_of_text(block(-230)), HasSubstr("towards 180 degrees"));
+  EXPECT_NO_THROW(job_of_text(block(230) + "[floor]\ngravity_m_per_s2 = 0\n"));
   EXPECT_NO_THROW(job_of_text(block(230) + "[item.fixture]\npitch = \"held\"\n"));
 }
 

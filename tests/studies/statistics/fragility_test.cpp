@@ -170,7 +170,7 @@ TEST(Fragility, SaysWhyThereIsNoCurve) {
 TEST(Fragility, LikelihoodOfQuasiSeparatedRunsIsItsLimit) {
   EXPECT_NEAR(fit_probit({{1, 5, 0}, {2, 5, 2}, {3, 5, 5}}).log_likelihood,
               2 * std::log(0.4) + 3 * std::log(0.6), 1e-14);
-  // The same where the probability falls; a step down fits without a loss.
+  // One level decides where the probability falls, too; a step down fits without a loss.
   EXPECT_NEAR(fit_probit({{1, 5, 5}, {2, 5, 2}, {3, 5, 0}}).log_likelihood,
               2 * std::log(0.4) + 3 * std::log(0.6), 1e-14);
   EXPECT_EQ(fit_probit({{1, 5, 5}, {2, 5, 0}}).log_likelihood, 0);
