@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
@@ -57,34 +58,67 @@ struct StoredHistories::Layout {
   StoredHistory of_rows(const std::string& name, std::size_t run) const;
   StoredHistory of_arrays(const std::string& name) const;
 
+  /// Rows of a study: read once for all of its runs.
+  struct Rows {
+    std::vector<double> time;
+    std::vector<std::string> item;
+    std::map<std::size_t, std::vector<std::size_t>> of_run;
+  };
+  const Rows& rows() const;
+  /// Columns of a study's history, of which those asked for last are kept.
+  const std::vector<std::vector<double>>& columns(const std::string& name) const;
+
   Hdf5Reader file;
   bool of_study = false;
   std::vector<std::string> names;
   std::map<std::string, std::vector<Hdf5Dataset>> datasets;  ///< of each name: one, or its axes
+
+ private:
+  mutable std::optional<Rows> rows_;
+  mutable std::string columns_of_;
+  mutable std::vector<std::vector<double>> columns_;
 };
 
+const StoredHistories::Layout::Rows& StoredHistories::Layout::rows() const {
+  if (rows_) return *rows_;
+  const std::vector<double> run = numbers("run");
+  file.require_length({kGroup + "time", kGroup + "item"}, run.size());
+  rows_ = {numbers("time"), file.strings(kGroup + "item"), {}};
+  for (std::size_t row = 0; row < run.size(); ++row)
+    rows_->of_run[static_cast<std::size_t>(run[row])].push_back(row);
+  return *rows_;
+}
+
+const std::vector<std::vector<double>>& StoredHistories::Layout::columns(
+    const std::string& name) const {
+  if (columns_of_ == name) return columns_;
+  columns_.clear();
+  for (const Hdf5Dataset& column : datasets.at(name)) {
+    file.require_length({column.path}, rows().time.size());
+    columns_.push_back(file.numbers(column.path));
+  }
+  columns_of_ = name;
+  return columns_;
+}
+
 StoredHistory StoredHistories::Layout::of_rows(const std::string& name, std::size_t run) const {
-  const std::vector<Hdf5Dataset>& columns = datasets.at(name);
-  StoredHistory history{name, columns.front().units, "item", {}, {}};
-  const std::vector<double> of_run = numbers("run"), time = numbers("time");
-  const std::vector<std::string> item = file.strings(kGroup + "item");
-  const std::size_t rows = of_run.size();
-  file.require_length({kGroup + "time", kGroup + "item"}, rows);
+  const std::vector<Hdf5Dataset>& axes = datasets.at(name);
+  StoredHistory history{name, axes.front().units, "item", {}, {}};
+  const std::vector<std::size_t>& of_run = rows().of_run.at(run);
   std::vector<std::string> items;
-  for (std::size_t row = 0; row < rows; ++row)
-    if (of_run[row] == static_cast<double>(run) &&
-        std::ranges::find(items, item[row]) == items.end())
-      items.push_back(item[row]);
+  for (const std::size_t row : of_run)
+    if (std::ranges::find(items, rows().item[row]) == items.end())
+      items.push_back(rows().item[row]);
   for (const std::string& each : items)
-    for (const Hdf5Dataset& column : columns) {
-      file.require_length({column.path}, rows);
-      const std::vector<double> values = file.numbers(column.path);
-      StoredHistory::Series series{
-          items.size() == 1 ? "" : each, split_axis(column.path.substr(kGroup.size())).second, {}};
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const std::vector<double>& values = columns(name)[axis];
+      StoredHistory::Series series{items.size() == 1 ? "" : each,
+                                   split_axis(axes[axis].path.substr(kGroup.size())).second,
+                                   {}};
       history.time.clear();
-      for (std::size_t row = 0; row < rows; ++row)
-        if (of_run[row] == static_cast<double>(run) && item[row] == each) {
-          history.time.push_back(time[row]);
+      for (const std::size_t row : of_run)
+        if (rows().item[row] == each) {
+          history.time.push_back(rows().time[row]);
           series.values.push_back(values[row]);
         }
       history.series.push_back(std::move(series));
@@ -127,11 +161,10 @@ std::string StoredHistories::title() const { return layout_->file.text_attribute
 const std::string& StoredHistories::path() const { return layout_->file.path(); }
 
 std::vector<std::size_t> StoredHistories::runs() const {
+  if (layout_->names.empty()) return {};
+  if (!layout_->of_study) return {static_cast<std::size_t>(layout_->numbers("run").at(0))};
   std::vector<std::size_t> runs;
-  if (layout_->names.empty()) return runs;
-  for (const double run : layout_->numbers("run"))
-    if (runs.empty() || runs.back() != static_cast<std::size_t>(run))
-      runs.push_back(static_cast<std::size_t>(run));
+  for (const auto& [run, rows] : layout_->rows().of_run) runs.push_back(run);
   return runs;
 }
 
