@@ -175,6 +175,9 @@ YieldingStoreys read_yield(Table in, const Eigen::VectorXd& mass,
            ? vector(in.numbers("drift_ratio", ratio, count))
            : Eigen::VectorXd::Constant(mass.size(), in.number("drift_ratio", ratio)));
   storeys.hardening = in.number("hardening_ratio", Range::within(0, 0.99));
+  constexpr const char *kDrift = "pinching_drift_ratio", *kForce = "pinching_force_ratio";
+  if (in.has(kDrift) || in.has(kForce))
+    storeys.pinching = {in.number(kDrift, Range::within(0, 1)), in.number(kForce, ratio)};
   for (std::size_t i = 0; i < 2; ++i) {
     storeys.damping[i].resize(mass.size());
     for (std::size_t k = 0; k < axes[i].size(); ++k)

@@ -39,6 +39,10 @@ Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigen::MatrixXd
   return momenta * viscosities.asDiagonal() * momenta.transpose();
 }
 
+Vector2 forces_of(const std::array<PinchedLoop, 2>& loops) {
+  return {loops[0].force, loops[1].force};
+}
+
 /// Shears at a place as ones at the axis and a torque.
 Vector3 about_axis(const Vector2& place, const Vector2& shear) {
   return {shear.x(), shear.y(), place.x() * shear.y() - place.y() * shear.x()};
@@ -115,31 +119,50 @@ Eigen::Matrix3Xd YieldingMotion::increments() const {
   return result;
 }
 
+Vector2 YieldingMotion::mean_shear(Column& column, double yield, const Vector2& start,
+                                   const Vector2& way) const {
+  const double alpha = storeys_.hardening;
+  if (!storeys_.pinching) {
+    const Sliding slid = slide(column.z, way / yield);
+    column.next_z = slid.end;
+    const Vector2 middle = start + way / 2;
+    return column.stiffness.cwiseProduct(alpha * middle + (1 - alpha) * yield * slid.mean);
+  }
+  Vector2 mean;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const auto k = static_cast<Eigen::Index>(a);
+    const PinchedMove moved = move(column.loops[a], way[k] / yield, alpha, *storeys_.pinching);
+    column.next_loops[a] = moved.end;
+    mean[k] = column.stiffness[k] * yield * moved.mean;
+  }
+  return mean;
+}
+
+Vector2 YieldingMotion::shear(const Column& column, double yield, const Vector2& drift) const {
+  const double alpha = storeys_.hardening;
+  if (!storeys_.pinching)
+    return column.stiffness.cwiseProduct(alpha * drift + (1 - alpha) * yield * column.z);
+  return yield * column.stiffness.cwiseProduct(forces_of(column.loops));
+}
+
 Eigen::Matrix3Xd YieldingMotion::mean_forces(const Eigen::Matrix3Xd& increment) {
   Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, increment.cols());
-  const double alpha = storeys_.hardening;
   for (Eigen::Index i = 0; i < increment.cols(); ++i) {
     const double yield = storeys_.yield_drift[i];
     for (Column& column : columns_[static_cast<std::size_t>(i)]) {
-      const Vector2 moved = at_place(column.place, increment.col(i));
-      const Sliding slid = slide(column.z, moved / yield);
-      column.next_z = slid.end;
-      const Vector2 middle = at_place(column.place, drift_.col(i)) + moved / 2;
-      result.col(i) += about_axis(
-          column.place,
-          column.stiffness.cwiseProduct(alpha * middle + (1 - alpha) * yield * slid.mean));
+      result.col(i) +=
+          about_axis(column.place, mean_shear(column, yield, at_place(column.place, drift_.col(i)),
+                                              at_place(column.place, increment.col(i))));
     }
   }
   return result;
 }
 
 Vector3 YieldingMotion::force(Eigen::Index storey) const {
-  const double alpha = storeys_.hardening, yield = storeys_.yield_drift[storey];
   Vector3 result = Vector3::Zero();
   for (const Column& column : columns_[static_cast<std::size_t>(storey)])
-    result += about_axis(column.place, column.stiffness.cwiseProduct(
-                                           alpha * at_place(column.place, drift_.col(storey)) +
-                                           (1 - alpha) * yield * column.z));
+    result += about_axis(column.place, shear(column, storeys_.yield_drift[storey],
+                                             at_place(column.place, drift_.col(storey))));
   return result;
 }
 
@@ -180,9 +203,15 @@ void YieldingMotion::step(const Vector2& ground0, const Vector2& ground1) {
   for (Eigen::Index i = 0; i < n; ++i) {
     energy_.hysteresis += forces.col(i).dot(increment.col(i));
     for (Column& column : columns_[static_cast<std::size_t>(i)]) {
-      const Vector2 elastic = storeys_.hardening * column.stiffness;
-      const Vector2 start = at_place(column.place, drift_.col(i)),
-                    end = start + at_place(column.place, increment.col(i));
+      Vector2 elastic = storeys_.hardening * column.stiffness;
+      Vector2 start = at_place(column.place, drift_.col(i)),
+              end = start + at_place(column.place, increment.col(i));
+      if (storeys_.pinching) {  // drifts that unloading would take back
+        elastic = column.stiffness;
+        start = storeys_.yield_drift[i] * forces_of(column.loops);
+        end = storeys_.yield_drift[i] * forces_of(column.next_loops);
+        column.loops = column.next_loops;
+      }
       energy_.strain += elastic.dot(end.cwiseAbs2()) / 2;
       energy_.hysteresis -= elastic.dot((end.cwiseAbs2() - start.cwiseAbs2())) / 2;
       column.z = column.next_z;

@@ -6,6 +6,7 @@
 
 #include "engine/base/linear_algebra.h"
 #include "engine/base/vector.h"
+#include "groundmotions/buildings/pinched_loop.h"
 
 namespace gurney::groundmotions {
 
@@ -24,22 +25,23 @@ struct YieldingTwist {
 ///     z' = d' / d_y inside the unit disc; on its edge without the part of d' that leads out of it
 ///
 /// which is bilinear with kinematic hardening along one line, and yields at |d| = d_y in any direction. A
-/// storey whose floors do not twist is one such column, k = K. Neither strength nor stiffness degrades, loops
-/// are not pinched, and weight does no work on drift.
+/// storey whose floors do not twist is one such column, k = K. With `pinching` V_a is a PinchedLoop of d_a, each
+/// direction by itself. Strength does not degrade, and weight does no work on drift.
 struct YieldingStoreys {
   Eigen::VectorXd mass;                      ///< of floors 1 to n > 0 [kg]; only ratios matter
   std::array<Eigen::VectorXd, 2> stiffness;  ///< K of each storey from the ground up > 0 [N/m]
   std::array<Eigen::VectorXd, 2> damping;  ///< of the elastic modes, by rising frequency, in [0, 1)
   Eigen::VectorXd yield_drift;             ///< d_y of each storey > 0 [m]
   double hardening = 0;                    ///< alpha in [0, 1)
+  std::optional<Pinching> pinching = {};   ///< empty: loops are not pinched
   std::optional<YieldingTwist> twist = {};  ///< in place of `damping`; empty: floors do not twist
 };
 
 /// Energies relative to the ground, for the given masses [J]; every term comes from its own force.
 struct StoreyEnergy {
-  double input = 0;       ///< work of -a_ground
-  double kinetic = 0;     ///< now
-  double strain = 0;      ///< of alpha K d, now
+  double input = 0;    ///< work of -a_ground
+  double kinetic = 0;  ///< now
+  double strain = 0;   ///< of alpha K d, now; of pinched loops V^2 / (2 K), all that can come back
   double hysteresis = 0;  ///< taken by z; (1 - alpha) K d_y^2 |z|^2 / 2 of it can come back
   double damping = 0;     ///< dissipated by the modes
 
@@ -52,8 +54,8 @@ struct StoreyEnergy {
 ///
 /// with u the displacements of the floors at the axis of stiffness along h1 and h2, and r theta where they
 /// twist; B takes them to the drifts of the columns, and phi_i' M phi_i = 1. Second order, stable for any step.
-/// Drifts go straight in a step, so slide() gives the work of z exactly and the energies close to the tolerance
-/// of the solve.
+/// Drifts go straight in a step, so slide() and move() give the work of V exactly and the energies close to the
+/// tolerance of the solve.
 class YieldingMotion {
  public:
   /// @param time_step  > 0 [s]
@@ -88,8 +90,12 @@ class YieldingMotion {
     Vector2 place;      ///< [m]
     Vector2 stiffness;  ///< [N/m]
     Vector2 z, next_z;
+    std::array<PinchedLoop, 2> loops = {}, next_loops = {};  ///< in place of z
   };
 
+  /// Mean force of a column over a way from `start`, which it ends at its next state.
+  Vector2 mean_shear(Column& column, double yield, const Vector2& start, const Vector2& way) const;
+  Vector2 shear(const Column& column, double yield, const Vector2& drift) const;  ///< now
   Block block_of(std::vector<Eigen::Index> rows) const;
   Eigen::Matrix3Xd increments() const;  ///< of drift_ in a step at the mean velocities
   /// Mean forces of all storeys over a step in which they drift by `increment`: shears [N], torque [N m].

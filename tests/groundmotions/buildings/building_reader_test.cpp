@@ -248,6 +248,17 @@ TEST(BuildingReader, ReadsStoreysThatYield) {
                 building.axes[i].front().omega, 1e-10);
 }
 
+TEST(BuildingReader, ReadsPinchedStoreys) {
+  const std::string yield =
+      kShear + "[yield]\nheight_m = 12\ndrift_ratio = 0.01\nhardening_ratio = 0.05\n";
+  EXPECT_FALSE(read(yield).yielding->pinching);
+  const Building building =
+      read(yield + "pinching_drift_ratio = 0.8\npinching_force_ratio = 0.25\n");
+  ASSERT_TRUE(building.yielding && building.yielding->pinching);
+  EXPECT_EQ(building.yielding->pinching->drift, 0.8);
+  EXPECT_EQ(building.yielding->pinching->force, 0.25);
+}
+
 // K_t = Omega^2 r^2 K_x = K_x b^2 + K_y a^2, with K_y = 4 K_x here: the period along h2 is half as long.
 TEST(BuildingReader, ReadsStoreysThatYieldAndTwist) {
   const std::string yield = "[yield]\nheight_m = 12\ndrift_ratio = 0.01\nhardening_ratio = 0.05\n";
@@ -292,6 +303,11 @@ TEST(BuildingReader, RefusesYieldThatMeansNothing) {
               HasSubstr("isolation: must not be given with yield"));
   EXPECT_THAT(errors("kind = 'generic'\nstoreys = 3\nperiod_s = 1\ndamping_ratio = 0\n" + right),
               HasSubstr("yield"));
+  EXPECT_THAT(errors(kShear + right + "pinching_drift_ratio = 0.8\n"),
+              HasSubstr("yield.pinching_force_ratio: missing"));
+  EXPECT_EQ(errors(kShear + right + "pinching_drift_ratio = 2\npinching_force_ratio = 0\n"),
+            "b.toml:9:24: yield.pinching_drift_ratio = 2: must be a finite number >= 0 and <= 1\n"
+            "b.toml:10:24: yield.pinching_force_ratio = 0: must be a finite number > 0 and <= 1");
 }
 
 /// Keys asked for by a building with everything in it; the last part of each.
