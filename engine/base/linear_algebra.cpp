@@ -43,6 +43,8 @@ Eigen::VectorXd SymmetricFactors::solve(const Eigen::VectorXd& b) const {
   return factors_.solve(b);
 }
 
+void SymmetricFactors::solve_in_place(Eigen::VectorXd& b) const { b = factors_.solve(b); }
+
 Eigen::MatrixXd SymmetricFactors::solve(const Eigen::MatrixXd& b) const {
   return factors_.solve(b);
 }

@@ -38,6 +38,7 @@ class SymmetricFactors {
  public:
   explicit SymmetricFactors(const Eigen::MatrixXd& a);
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  void solve_in_place(Eigen::VectorXd& b) const;  ///< without memory of its own
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   Eigen::MatrixXd inverse() const;
 

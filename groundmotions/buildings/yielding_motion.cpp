@@ -16,20 +16,6 @@ constexpr int kMaxIterations = 100;
 /// are wanted to 1e-3 (floor_record.cpp).
 constexpr double kTolerance = 1e-12;
 
-/// Differences of floors that follow each other, the ground being 0.
-Eigen::VectorXd drifts(const Eigen::VectorXd& floors) {
-  Eigen::VectorXd result = floors;
-  result.tail(floors.size() - 1) -= floors.head(floors.size() - 1);
-  return result;
-}
-
-/// The force of the storeys below and above on each floor.
-Eigen::VectorXd on_floors(const Eigen::VectorXd& shears) {
-  Eigen::VectorXd result = shears;
-  result.head(shears.size() - 1) -= shears.tail(shears.size() - 1);
-  return result;
-}
-
 /// C of a damping ratio for each mode.
 Eigen::MatrixXd modal_damping(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
                               const Eigen::VectorXd& ratios) {
@@ -88,7 +74,9 @@ YieldingMotion::YieldingMotion(const YieldingStoreys& storeys, double time_step)
       h_(time_step),
       gyration_(storeys.twist ? storeys.twist->gyration : 1.0),
       columns_(static_cast<std::size_t>(storeys.mass.size())),
-      drift_(Eigen::Matrix3Xd::Zero(3, storeys.mass.size())) {
+      drift_(Eigen::Matrix3Xd::Zero(3, storeys.mass.size())),
+      increment_(drift_),
+      mean_force_(drift_) {
   assert(time_step > 0 && storeys.hardening >= 0 && storeys.hardening < 1);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const auto storey = static_cast<Eigen::Index>(i);
@@ -108,15 +96,27 @@ YieldingMotion::YieldingMotion(const YieldingStoreys& storeys, double time_step)
     blocks_ = {block_of({0}), block_of({1})};
 }
 
-Eigen::Matrix3Xd YieldingMotion::increments() const {
+void YieldingMotion::find_increments() {
   const Eigen::Index n = drift_.cols();
-  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, n);
   for (const Block& block : blocks_)
-    for (std::size_t k = 0; k < block.rows.size(); ++k)
-      result.row(block.rows[k]) =
-          h_ * drifts(block.mean_velocity.segment(static_cast<Eigen::Index>(k) * n, n)).transpose();
-  result.row(2) /= gyration_;
-  return result;
+    for (std::size_t k = 0; k < block.rows.size(); ++k) {
+      const auto floors = block.mean_velocity.segment(static_cast<Eigen::Index>(k) * n, n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        increment_(block.rows[k], i) = h_ * (i > 0 ? floors[i] - floors[i - 1] : floors[i]);
+    }
+  increment_.row(2) /= gyration_;
+}
+
+void YieldingMotion::find_mean_forces() {
+  mean_force_.setZero();
+  for (Eigen::Index i = 0; i < drift_.cols(); ++i) {
+    const double yield = storeys_.yield_drift[i];
+    for (Column& column : columns_[static_cast<std::size_t>(i)]) {
+      mean_force_.col(i) +=
+          about_axis(column.place, mean_shear(column, yield, at_place(column.place, drift_.col(i)),
+                                              at_place(column.place, increment_.col(i))));
+    }
+  }
 }
 
 Vector2 YieldingMotion::mean_shear(Column& column, double yield, const Vector2& start,
@@ -145,19 +145,6 @@ Vector2 YieldingMotion::shear(const Column& column, double yield, const Vector2&
   return yield * column.stiffness.cwiseProduct(forces_of(column.loops));
 }
 
-Eigen::Matrix3Xd YieldingMotion::mean_forces(const Eigen::Matrix3Xd& increment) {
-  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, increment.cols());
-  for (Eigen::Index i = 0; i < increment.cols(); ++i) {
-    const double yield = storeys_.yield_drift[i];
-    for (Column& column : columns_[static_cast<std::size_t>(i)]) {
-      result.col(i) +=
-          about_axis(column.place, mean_shear(column, yield, at_place(column.place, drift_.col(i)),
-                                              at_place(column.place, increment.col(i))));
-    }
-  }
-  return result;
-}
-
 Vector3 YieldingMotion::force(Eigen::Index storey) const {
   Vector3 result = Vector3::Zero();
   for (const Column& column : columns_[static_cast<std::size_t>(storey)])
@@ -166,46 +153,60 @@ Vector3 YieldingMotion::force(Eigen::Index storey) const {
   return result;
 }
 
-void YieldingMotion::step(const Vector2& ground0, const Vector2& ground1) {
+void YieldingMotion::find_residual(Block& block) const {
   const Eigen::Index n = drift_.cols();
+  block.scratch = block.mean_velocity - block.velocity;
+  block.residual.noalias() = block.mass * (2 / h_ * block.scratch);
+  block.scratch.noalias() = block.damping * block.mean_velocity;
+  block.residual += block.scratch;
+  for (std::size_t k = 0; k < block.rows.size(); ++k) {
+    const Eigen::Index row = block.rows[k], first = static_cast<Eigen::Index>(k) * n;
+    const double scale = row == 2 ? gyration_ : 1;  // from a torque to r theta
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double below = mean_force_(row, i) / scale;
+      block.residual[first + i] += i + 1 < n ? below - mean_force_(row, i + 1) / scale : below;
+    }
+  }
+  block.residual += block.push;
+}
+
+void YieldingMotion::step(const Vector2& ground0, const Vector2& ground1) {
   const Vector2 ground = (ground0 + ground1) / 2;
+  for (Block& block : blocks_) block.push.noalias() = block.carried * ground;
   // The elastic slope is the largest that mean forces have: with it the fixed point contracts, by
   // (omega h / 2)^2 / (1 + (omega h / 2)^2) at most.
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    Eigen::Matrix3Xd forces = mean_forces(increments());
-    forces.row(2) /= gyration_;
+    find_increments();
+    find_mean_forces();
     double change = 0, size = 0;
     for (Block& block : blocks_) {
-      Eigen::VectorXd restoring(block.velocity.size());
-      for (std::size_t k = 0; k < block.rows.size(); ++k)
-        restoring.segment(static_cast<Eigen::Index>(k) * n, n) =
-            on_floors(forces.row(block.rows[k]).transpose());
-      const Eigen::VectorXd residual =
-          block.mass * (2 / h_ * (block.mean_velocity - block.velocity)) +
-          block.damping * block.mean_velocity + restoring + block.carried * ground;
-      const Eigen::VectorXd correction = block.solve.solve(residual);
-      block.mean_velocity -= correction;
-      change = std::max(change, correction.cwiseAbs().maxCoeff());
+      find_residual(block);
+      block.solve.solve_in_place(block.residual);
+      block.mean_velocity -= block.residual;
+      change = std::max(change, block.residual.cwiseAbs().maxCoeff());
       size = std::max(size, block.mean_velocity.cwiseAbs().maxCoeff());
     }
     if (change <= kTolerance * size) break;
   }
-  const Eigen::Matrix3Xd increment = increments(), forces = mean_forces(increment);
+  find_increments();
+  find_mean_forces();
 
   energy_.kinetic = energy_.strain = 0;
   for (Block& block : blocks_) {
     const Eigen::VectorXd& mean = block.mean_velocity;
     block.velocity = 2 * mean - block.velocity;
-    energy_.input -= h_ * (block.carried * ground).dot(mean);
-    energy_.damping += h_ * mean.dot(block.damping * mean);
-    energy_.kinetic += block.velocity.dot(block.mass * block.velocity) / 2;
+    energy_.input -= h_ * block.push.dot(mean);
+    block.scratch.noalias() = block.damping * mean;
+    energy_.damping += h_ * mean.dot(block.scratch);
+    block.scratch.noalias() = block.mass * block.velocity;
+    energy_.kinetic += block.velocity.dot(block.scratch) / 2;
   }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    energy_.hysteresis += forces.col(i).dot(increment.col(i));
+  for (Eigen::Index i = 0; i < drift_.cols(); ++i) {
+    energy_.hysteresis += mean_force_.col(i).dot(increment_.col(i));
     for (Column& column : columns_[static_cast<std::size_t>(i)]) {
       Vector2 elastic = storeys_.hardening * column.stiffness;
       Vector2 start = at_place(column.place, drift_.col(i)),
-              end = start + at_place(column.place, increment.col(i));
+              end = start + at_place(column.place, increment_.col(i));
       if (storeys_.pinching) {  // drifts that unloading would take back
         elastic = column.stiffness;
         start = storeys_.yield_drift[i] * forces_of(column.loops);
@@ -217,7 +218,7 @@ void YieldingMotion::step(const Vector2& ground0, const Vector2& ground1) {
       column.z = column.next_z;
     }
   }
-  drift_ += increment;
+  drift_ += increment_;
 }
 
 Vector3 YieldingMotion::floor_acceleration(Eigen::Index floor, const Vector2& place) const {

@@ -85,6 +85,7 @@ class YieldingMotion {
     Eigen::MatrixXd carried;  ///< M 1: what a ground acceleration along h1, h2 pushes
     Eigen::VectorXd velocity, mean_velocity;
     SymmetricFactors solve;  ///< 2 M / h + C + h K / 2, with the elastic K
+    Eigen::VectorXd push{}, residual{}, scratch{};  ///< of one step
   };
   struct Column {
     Vector2 place;      ///< [m]
@@ -97,9 +98,9 @@ class YieldingMotion {
   Vector2 mean_shear(Column& column, double yield, const Vector2& start, const Vector2& way) const;
   Vector2 shear(const Column& column, double yield, const Vector2& drift) const;  ///< now
   Block block_of(std::vector<Eigen::Index> rows) const;
-  Eigen::Matrix3Xd increments() const;  ///< of drift_ in a step at the mean velocities
-  /// Mean forces of all storeys over a step in which they drift by `increment`: shears [N], torque [N m].
-  Eigen::Matrix3Xd mean_forces(const Eigen::Matrix3Xd& increment);
+  void find_increments();
+  void find_mean_forces();
+  void find_residual(Block& block) const;
   Vector3 force(Eigen::Index storey) const;  ///< now
 
   YieldingStoreys storeys_;
@@ -107,6 +108,8 @@ class YieldingMotion {
   std::vector<std::vector<Column>> columns_;  ///< of each storey
   std::vector<Block> blocks_;
   Eigen::Matrix3Xd drift_;
+  Eigen::Matrix3Xd increment_;   ///< of drift_ in a step at the mean velocities
+  Eigen::Matrix3Xd mean_force_;  ///< of all storeys over this step: shears [N], torque [N m]
   StoreyEnergy energy_;
 };
 
