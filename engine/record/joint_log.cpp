@@ -6,27 +6,22 @@
 namespace gurney {
 
 JointLog::JointLog(const Assembly& assembly, const SceneState& at_start)
-    : assembly_(assembly), courses_(assembly.joints.size()) {
+    : assembly_(assembly),
+      courses_(static_cast<std::size_t>(std::ranges::count_if(
+          assembly.joints, [](const JointLaw& law) { return !law.tether(); }))) {
   for (std::size_t j = 0; j < courses_.size(); ++j) {
-    courses_[j].peak = std::abs(courses_[j].residual = motion(j, at_start));
+    courses_[j].peak = std::abs(courses_[j].residual = assembly.joint_motion(j, at_start));
     // Open at rest: it would bear more than it holds.
     if (assembly.joints[j].releases() && !at_start.joints[j].latched) courses_[j].released_at = 0;
   }
 }
 
-/// q, or where a joint has none the angle between the part and its base.
-double JointLog::motion(std::size_t j, const SceneState& state) const {
-  const Joint& joint = assembly_.joints[j].joint();
-  if (joint.kind == Joint::Kind::kHinge || joint.kind == Joint::Kind::kSlider)
-    return state.joints[j].coordinate;
-  return state.items[joint.base].rotation.angularDistance(state.items[joint.part].rotation);
-}
-
 void JointLog::observe(const Stepper::Step& step) {
   for (std::size_t j : step.island->joints) {
+    if (j >= courses_.size()) continue;  // a tether
     const JointState &from = step.from->joints[j], &to = step.to->joints[j];
     Course& course = courses_[j];
-    course.residual = motion(j, *step.to);
+    course.residual = assembly_.joint_motion(j, *step.to);
     course.peak = std::max(course.peak, std::abs(course.residual));
     if (from.latched && !to.latched && course.released_at < 0)
       course.released_at = step.time + step.duration;

@@ -23,7 +23,6 @@ class JointLog {
     double released_at = -1;
     double stop_speed = 0;
   };
-  double motion(std::size_t joint, const SceneState& state) const;
 
   const Assembly& assembly_;
   std::vector<Course> courses_;

@@ -13,32 +13,14 @@
 #include "engine/record/support_log.h"
 #include "engine/record/tether_log.h"
 #include "engine/record/zone_log.h"
+#include "engine/run/start.h"
 #include "engine/solver/assembly.h"
-#include "engine/solver/equilibrium.h"
 #include "engine/solver/stepper.h"
 
 namespace gurney {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
-/// Everything placed, settled and set in motion.
-SceneState start_of(const Scene& scene, const Assembly& assembly) {
-  SceneState state;
-  for (std::size_t i = 0; i < scene.items.size(); ++i)
-    state.items.push_back(assembly.items[i].placed(scene.items[i].initial));
-  for (const JointLaw& joint : assembly.joints) state.joints.push_back(joint.initial_state());
-  for (std::size_t i = 0; i < scene.items.size(); ++i) {
-    if (!assembly.is_part(i)) settle(assembly, scene, i, state);
-    assembly.items[i].set_in_motion(scene.items[i].initial, state.items[i]);
-    if (!assembly.is_part(i)) continue;
-    // As the whole item moves: InitialMotion states the velocity of its chassis.
-    Vector6& v = state.items[i].velocity.chassis;
-    const Vector3 turn = v.tail<3>();
-    v.head<3>() += turn.cross(state.items[i].position - state.items[assembly.roots[i]].position);
-  }
-  return state;
-}
 
 /// Time that all items have reached, where one could not go on.
 double earliest_time(const SceneState& state) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -46,18 +47,19 @@ struct Zone {
   double angle = 0;                  ///< of its x axis from the floor's [rad]
 };
 
-/// A cord, hose or line from an item to a point of the room. It pulls when it is longer than its
-/// slack length, and breaks (or unplugs) at its strength.
+/// A cord, hose or line from an item, a part or a content to a point of the room or of another of them. It pulls
+/// when it is longer than its slack length, and breaks (or unplugs) at its strength.
 struct Tether {
   std::string name;                  ///< unique among tethers, not empty
   std::size_t item = 0;              ///< index in Scene::items
   Vector3 point = Vector3::Zero();   ///< on the chassis, item axes [m]
-  Vector3 anchor = Vector3::Zero();  ///< floor axes [m]
+  Vector3 anchor = Vector3::Zero();  ///< floor axes, or item axes of `anchor_item` [m]
   double slack_length = 0;           ///< > 0, not less than the distance at the start [m]
   double stiffness = 0;              ///< > 0 [N/m]
   double damping = 0;                ///< while taut, >= 0 [N s/m]
   double strength = std::numeric_limits<double>::infinity();  ///< > 0 [N]
   double slack_pull = 0;  ///< horizontally towards the anchor, whether taut or not, >= 0 [N]
+  std::optional<std::size_t> anchor_item = {};  ///< where it ends; empty: in the room
 };
 
 }  // namespace gurney

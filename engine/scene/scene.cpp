@@ -160,6 +160,22 @@ std::size_t carrier_of(const Scene& scene, std::size_t item) {
   return item;
 }
 
+Vector3 placed_point(const Scene& scene, std::size_t item, const Vector3& point) {
+  const InitialMotion& initial = scene.items[item].initial;
+  Vector3 origin(initial.position.x(), initial.position.y(), 0);
+  if (const auto& on = scene.items[root_of(scene, item)].on) origin.z() = on->height;
+  return origin + Eigen::AngleAxisd(initial.yaw, Vector3::UnitZ()) * point;
+}
+
+Vector3 placed_anchor(const Scene& scene, const Tether& tether) {
+  return tether.anchor_item ? placed_point(scene, *tether.anchor_item, tether.anchor)
+                            : tether.anchor;
+}
+
+double placed_length(const Scene& scene, const Tether& tether) {
+  return (placed_anchor(scene, tether) - placed_point(scene, tether.item, tether.point)).norm();
+}
+
 void move_item(Scene& scene, std::size_t item, const Vector3& position, double yaw) {
   const InitialMotion from = scene.items[item].initial;
   const Quaternion turn(Eigen::AngleAxisd(yaw - from.yaw, Vector3::UnitZ()));

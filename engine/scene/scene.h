@@ -66,6 +66,13 @@ std::size_t root_of(const Scene& scene, std::size_t item);
 /// room; or itself.
 std::size_t carrier_of(const Scene& scene, std::size_t item);
 
+/// A point of an item as it is placed, item axes, in floor axes.
+Vector3 placed_point(const Scene& scene, std::size_t item, const Vector3& point);
+/// Where a tether ends as all is placed, floor axes.
+Vector3 placed_anchor(const Scene& scene, const Tether& tether);
+/// Distance between its ends then [m].
+double placed_length(const Scene& scene, const Tether& tether);
+
 /// Places an item elsewhere, with its parts and with what stands on them.
 void move_item(Scene& scene, std::size_t item, const Vector3& position, double yaw);
 

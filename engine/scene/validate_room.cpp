@@ -49,10 +49,10 @@ void check_tether(const Scene& scene, const Tether& tether, Problems& problems) 
                  owner + "point and anchor: must be finite");
   if (tether.item >= scene.items.size())
     return problems.check(false, owner + "there is no such item");
-  const InitialMotion& initial = scene.items[tether.item].initial;
-  const Vector3 origin(initial.position.x(), initial.position.y(), 0);
-  const Vector3 point = origin + Eigen::AngleAxisd(initial.yaw, Vector3::UnitZ()) * tether.point;
-  const double distance = (tether.anchor - point).norm();
+  if (tether.anchor_item &&
+      (*tether.anchor_item >= scene.items.size() || *tether.anchor_item == tether.item))
+    return problems.check(false, owner + "it must end at another item");
+  const double distance = placed_length(scene, tether);
   problems.check(distance <= tether.slack_length,
                  fmt::format("{}slack_length = {:g}: must be at least {:g}, the distance to its "
                              "anchor at the start",

@@ -16,12 +16,22 @@ Assembly::Assembly(const Scene& scene)
     if (const auto joint = joint_of(scene, i)) carried[scene.joints[*joint].base] += carried[i];
   for (const Joint& joint : scene.joints)
     joints.emplace_back(joint, items[joint.base], items[joint.part], carried[joint.part]);
+  for (std::size_t i = 0; i < scene.tethers.size(); ++i)
+    if (const Tether& tether = scene.tethers[i]; tether.anchor_item)
+      joints.emplace_back(tether, i, items[*tether.anchor_item], items[tether.item]);
 }
 
 JointLaw::Rows Assembly::rows(std::size_t j, const SceneState& state) const {
   const Joint& joint = joints[j].joint();
   return joints[j].rows(state.items[joint.base].pose(), state.items[joint.part].pose(),
                         state.joints[j].coordinate);
+}
+
+double Assembly::joint_motion(std::size_t j, const SceneState& state) const {
+  const Joint& joint = joints[j].joint();
+  if (joint.kind == Joint::Kind::kHinge || joint.kind == Joint::Kind::kSlider)
+    return state.joints[j].coordinate;
+  return state.items[joint.base].rotation.angularDistance(state.items[joint.part].rotation);
 }
 
 double Assembly::joint_rate(std::size_t j, const SceneState& state) const {

@@ -15,7 +15,7 @@ struct Assembly {
   explicit Assembly(const Scene& scene);
 
   std::vector<Mechanism> items;  ///< as Scene::items
-  std::vector<JointLaw> joints;  ///< as Scene::joints
+  std::vector<JointLaw> joints;  ///< as Scene::joints, then the tethers between items
   std::vector<std::size_t>
       roots;  ///< of each item: what carries it over any number of joints, or itself
   ContactLaws laws;
@@ -38,6 +38,8 @@ struct Assembly {
   bool is_part(std::size_t item) const { return roots[item] != item; }
 
   JointLaw::Rows rows(std::size_t joint, const SceneState& state) const;
+  /// The coordinate of a joint, or where it has none the angle between the part and its base [m], [rad].
+  double joint_motion(std::size_t joint, const SceneState& state) const;
   /// Rate of the coordinate of a joint; 0 where it has none [m/s], [rad/s].
   double joint_rate(std::size_t joint, const SceneState& state) const;
   /// 1 / the mass that a force along the coordinate feels of the two bodies alone, which is more than

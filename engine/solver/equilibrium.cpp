@@ -135,10 +135,11 @@ std::vector<FreeDirection> free_directions(const Assembly& standing, const Scene
 /// what it carries and stands exactly upright. With the rates d_i(c) of a point c by the free directions i, of
 /// which j moves no more than i does, weights w and masses m = w / g of all bodies and of what stands on them,
 ///
-///     H_ij = sum w z . (a_i x d_j) + k_i,   M_ij = sum m d_i . d_j + a_i . I a_j,
+///     H_ij = sum w z . (a_i x d_j) + k_i + sum k_n (z . d_i)(z . d_j),
+///     M_ij = sum m d_i . d_j + a_i . I a_j,
 ///
-/// the second derivatives of the potential and the mass matrix at rest: H v = lambda M v with lambda < 0 falls as
-/// exp(sqrt(-lambda) t). The item itself keeps its pose.
+/// with k_n of its wheels on the floor, the second derivatives of the potential and the mass matrix at rest:
+/// H v = lambda M v with lambda < 0 falls as exp(sqrt(-lambda) t). The item itself keeps its pose.
 std::optional<std::size_t> unstable_joint(const Assembly& standing, const Scene& level,
                                           const SceneState& rest) {
   const std::vector<FreeDirection> ways = free_directions(standing, rest);
@@ -158,12 +159,28 @@ std::optional<std::size_t> unstable_joint(const Assembly& standing, const Scene&
         if (outer.turns && inner.turns) mass(i, j) += outer.axis.dot(inertia * inner.axis);
       }
   };
+  const auto add_tread = [&](std::size_t body, const Vector3& there, double stiffness) {
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index j = i; j < count; ++j) {
+        const FreeDirection &one = ways[static_cast<std::size_t>(i)],
+                            &other = ways[static_cast<std::size_t>(j)];
+        if (one.moves[body] && other.moves[body])
+          potential(i, j) += stiffness * one.at(there).z() * other.at(there).z();
+      }
+  };
   for (std::size_t k = 1; k < level.items.size(); ++k) {
     const State& body = rest.items[k];
     const MassProperties& chassis = standing.items[k].chassis;
     const Matrix3 rotation = body.rotation.toRotationMatrix();
     add(k, body.position, standing.items[k].total_mass * level.gravity,
         rotation * chassis.inertia * rotation.transpose());
+    for (std::size_t c = 0; c < standing.items[k].casters.size(); ++c) {
+      const auto wheel =
+          standing.items[k].casters[c].contact(body.pose(), body.casters[c].swivel_angle);
+      if (wheel.height < 0)
+        add_tread(k, body.position + lane(wheel.contact, 0),
+                  level.items[k].model.casters[c].tread.normal_stiffness);
+    }
     for (const Load& load : level.items[k].loads)
       if (const auto* carried = std::get_if<PointForce>(&load))
         add(k, body.position + rotation * (carried->point - chassis.center_of_mass),
@@ -310,11 +327,12 @@ void settle(const Assembly& assembly, const Scene& scene, std::size_t index, Sce
   PlacedItem& held = level.items[0];
   for (int dof : {0, 1, 5}) held.fixture.guides[dof] = {Guide::Kind::kHeld, 0, 0, 0};
   // Nothing pushes sideways: without friction the treads settle without holding each other.
-  for (Caster& caster : held.model.casters) {
-    caster.tread.static_friction = caster.tread.kinetic_friction = 0;
-    caster.tread.rolling_friction_length = 0;
-    caster.brake_torque = caster.swivel_lock_torque = std::numeric_limits<double>::infinity();
-  }
+  for (PlacedItem& body : level.items)
+    for (Caster& caster : body.model.casters) {
+      caster.tread.static_friction = caster.tread.kinetic_friction = 0;
+      caster.tread.rolling_friction_length = 0;
+      caster.brake_torque = caster.swivel_lock_torque = std::numeric_limits<double>::infinity();
+    }
   const std::string below = material_below(scene, index);
   stand_on_springs(level, below, 0);
   const Assembly standing(level);

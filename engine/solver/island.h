@@ -12,7 +12,7 @@ namespace gurney {
 struct Island {
   std::vector<std::size_t> items;                  ///< indices in Scene::items, increasing
   std::size_t first_contact = 0, end_contact = 0;  ///< theirs, in SceneState::contacts
-  std::vector<std::size_t> joints = {};            ///< theirs, in Scene::joints
+  std::vector<std::size_t> joints = {};            ///< theirs, in Assembly::joints
 };
 
 /// The islands of a scene, by their first items.

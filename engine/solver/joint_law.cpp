@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/solver/cord_law.h"
+
 namespace gurney {
 namespace {
 
@@ -55,6 +57,19 @@ JointLaw::JointLaw(const Joint& joint, const Mechanism& base, const Mechanism& p
   friction_.stiffness = joint.friction / kFrictionYield;
 }
 
+JointLaw::JointLaw(const Tether& tether, std::size_t index, const Mechanism& anchor_item,
+                   const Mechanism& item)
+    : on_base_(tether.anchor - anchor_item.chassis.center_of_mass),
+      on_part_(tether.point - item.chassis.center_of_mass),
+      stop_(stop_of(joint_)),
+      cord_(tether),
+      tether_index_(index) {
+  joint_.kind = JointKind::kBall;
+  joint_.base = *tether.anchor_item;
+  joint_.part = tether.item;
+  joint_.latch = tether.strength;
+}
+
 JointState JointLaw::initial_state() const {
   JointState state;
   state.latched = joint_.latch > 0;
@@ -62,6 +77,7 @@ JointState JointLaw::initial_state() const {
 }
 
 JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) const {
+  if (cord_) return cord_rows(base, part);
   Rows result;
   const Matrix3 frame = base.rotation * frame_;
   const Vector3 arm = part.rotation * on_part_;  // of the part's point
@@ -119,6 +135,37 @@ JointLaw::Rows JointLaw::rows(const Pose& base, const Pose& part, double turn) c
   return result;
 }
 
+JointLaw::Rows JointLaw::cord_rows(const Pose& base, const Pose& part) const {
+  Rows result;
+  const Vector3 arm = part.rotation * on_part_, base_arm = base.rotation * on_base_;
+  const Vector3 towards = base.position + base_arm - part.position - arm;
+  const auto add = [&](const Vector3& direction) -> Row& {
+    Row& row = result.rows[result.count++];
+    // T pulls the part along the direction: it feels -T d_p.
+    row.part << -direction, -arm.cross(direction);
+    row.base << -direction, -base_arm.cross(direction);
+    return row;
+  };
+  add(towards.normalized()).value = towards.norm() - cord_->slack_length;
+  if (cord_->slack_pull > 0) add(slack_direction(towards));
+  return result;
+}
+
+/// Leaves the stretch at the end as the coordinate, and the tension as the wind.
+double JointLaw::finish_cord(const Stage& stage, const std::array<double, kRows>& rates,
+                             EnergyAccount& power, JointState& end) const {
+  end = stage.start;
+  const double rate = rates[0];
+  end.coordinate = stage.rows.rows[0].value + stage.tau * rate;
+  end.wind = 0;
+  if (!stage.start.latched) return 0;
+  const CordForce force = cord_force(*cord_, end.coordinate, rate, stage.tau);
+  end.wind = force.sum();
+  power.damper_loss += force.damping * rate;
+  if (stage.rows.count > 1) power.work_of_forces -= cord_->slack_pull * rates[1];
+  return force.elastic > 0 ? cord_->stiffness * rate * rate : 0;
+}
+
 ImpactLaw::Stage JointLaw::at_stop(const Stage& stage, int side) const {
   const double q = stage.rows.rows[*stage.rows.along].value;
   ImpactLaw::Stage at;
@@ -157,6 +204,13 @@ JointLaw::Force JointLaw::along(const Stage& stage, double rate) const {
 }
 
 JointLaw::Force JointLaw::force(const Stage& stage, std::size_t index, double rate) const {
+  if (cord_) {
+    if (!stage.start.latched) return {};
+    if (index == 1) return {cord_->slack_pull, 0};
+    const CordForce force =
+        cord_force(*cord_, stage.rows.rows[0].value + stage.tau * rate, rate, stage.tau);
+    return {force.sum(), force.slope};
+  }
   if (index == stage.rows.along) return along(stage, rate);
   const Row& row = stage.rows.rows[index];
   return {row.stiffness * (row.value + stage.tau * rate) + row.damping * rate,
@@ -165,6 +219,7 @@ JointLaw::Force JointLaw::force(const Stage& stage, std::size_t index, double ra
 
 double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rates,
                         EnergyAccount& power, JointState& end) const {
+  if (cord_) return finish_cord(stage, rates, power, end);
   double spring_rates = 0;
   for (std::size_t i = 0; i < stage.rows.count; ++i) {
     const Row& row = stage.rows.rows[i];
@@ -209,11 +264,18 @@ double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rat
 
 double JointLaw::past_release(const JointState& state) const {
   if (!state.latched || !releases()) return -1;
+  if (cord_) return (state.wind - cord_->strength) / cord_->stiffness;
   return std::abs(state.coordinate - state.latched_at) - kLatchYield;
 }
 
 double JointLaw::work_latch(double rate, JointState& state) const {
   if (!releases()) return 0;
+  if (cord_) {
+    if (past_release(state) < -kReleaseDistance) return 0;
+    state.latched = false;
+    const double stretch = std::max(state.coordinate, 0.0);
+    return 0.5 * cord_->stiffness * stretch * stretch;
+  }
   if (!state.latched) {
     if (joint_.relatches && std::abs(state.coordinate) < kCatchRange &&
         std::abs(rate) < kCatchSpeed) {
@@ -229,6 +291,10 @@ double JointLaw::work_latch(double rate, JointState& state) const {
 }
 
 double JointLaw::stored_energy(const Rows& rows, const JointState& state) const {
+  if (cord_) {
+    const double stretch = state.latched ? std::max(rows.rows[0].value, 0.0) : 0;
+    return 0.5 * cord_->stiffness * stretch * stretch;
+  }
   double energy = 0.5 * friction_.stiffness * state.wind * state.wind;
   for (std::size_t i = 0; i < rows.count; ++i) {
     const Row& row = rows.rows[i];

@@ -26,6 +26,9 @@ namespace gurney {
 /// m being the mass that the joint carries: the constraint e = 0 returns with the time T_c, and
 /// yields by g / omega_c^2, 0.1 um, under the part's weight. In those it leaves free T is that
 /// of its spring and damper; along q also of friction, stops and latch.
+///
+/// A tether between two items is one too: a row along the line between its ends, towards the base, and one of
+/// its slack pull (cord_law.h). It holds nothing; its latch is its strength, and it is latched until it breaks.
 class JointLaw {
  public:
   static constexpr double kHoldFrequency = 1e4;  ///< omega_c [rad/s]
@@ -39,8 +42,15 @@ class JointLaw {
 
   /// @param carried  mass of the part and of all that hangs on it [kg]
   JointLaw(const Joint& joint, const Mechanism& base, const Mechanism& part, double carried);
+  /// @param index  of the tether, in Scene::tethers
+  JointLaw(const Tether& tether, std::size_t index, const Mechanism& anchor_item,
+           const Mechanism& item);
 
   const Joint& joint() const { return joint_; }
+  /// Index in Scene::tethers; none: it is a joint.
+  std::optional<std::size_t> tether() const {
+    return cord_ ? std::optional(tether_index_) : std::nullopt;
+  }
 
   struct Row {
     Vector6 part, base;  ///< d_p, d_b
@@ -99,12 +109,15 @@ class JointLaw {
   std::array<Approach, 2> approaches(const JointState& state, double rate) const;
   /// Travel of the part's centre of mass by q: 1, or its distance from a hinge [m/rad].
   double arm() const { return slides() ? 1 : on_part_.cross(joint_.axis).norm(); }
-  /// Whether it has a latch that lets go.
+  /// Whether it has a latch that lets go, or is a tether that may break.
   bool releases() const { return joint_.latch > 0 && !locked(); }
   bool has_stops() const { return std::isfinite(joint_.lower) || std::isfinite(joint_.upper); }
   double stop_stiffness() const { return stop_.impact_stiffness(); }
 
  private:
+  Rows cord_rows(const Pose& base, const Pose& part) const;
+  double finish_cord(const Stage& stage, const std::array<double, kRows>& rates,
+                     EnergyAccount& power, JointState& end) const;
   Force along(const Stage& stage, double rate) const;
   ImpactLaw::Stage at_stop(const Stage& stage, int side) const;
   bool slides() const { return joint_.kind == Joint::Kind::kSlider; }
@@ -119,6 +132,8 @@ class JointLaw {
   double hold_ = 0, hold_turn_ = 0;  // k of displacements and of rotations
   DryFriction friction_;
   ImpactLaw stop_;
+  std::optional<Tether> cord_ = {};
+  std::size_t tether_index_ = 0;
 };
 
 }  // namespace gurney

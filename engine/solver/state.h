@@ -58,7 +58,7 @@ struct JointState {
 /// Everything of a scene that evolves.
 struct SceneState {
   std::vector<State> items;        ///< as Scene::items
-  std::vector<JointState> joints;  ///< as Scene::joints
+  std::vector<JointState> joints;  ///< as Assembly::joints
   std::vector<BodyContactState> contacts;
 };
 

@@ -7,9 +7,6 @@ namespace {
 
 bool broken(const State& state, std::size_t i) { return (state.broken_tethers >> i & 1u) != 0; }
 
-/// A cord that hangs straight down pulls nowhere: its horizontal pull grows to its full value over
-/// this horizontal distance [m].
-constexpr double kFullPull = 0.1;
 /// A cord nearer than this to its break, in stretch, breaks: events are located more closely [m].
 constexpr double kBreakDistance = 1e-9;
 
@@ -17,7 +14,7 @@ constexpr double kBreakDistance = 1e-9;
 
 Tethers::Tethers(const Scene& scene, std::size_t item, const Vector3& chassis_center) {
   for (std::size_t i = 0; i < scene.tethers.size(); ++i) {
-    if (scene.tethers[i].item != item) continue;
+    if (scene.tethers[i].item != item || scene.tethers[i].anchor_item) continue;
     tethers_.push_back(scene.tethers[i]);
     tethers_.back().point -= chassis_center;
     indices_.push_back(i);
@@ -37,23 +34,13 @@ Tethers::Pull Tethers::pull(const Tether& tether, double tau, const State& start
   pull.row << direction, arm.cross(direction);
   pull.rate = -pull.row.dot(velocity);
   const double stretched = stretch(tether, start) + tau * pull.rate;
-  if (!(stretched > 0)) return pull;
-  pull.elastic = tether.stiffness * stretched;
-  pull.damping = std::clamp(tether.damping * pull.rate, -pull.elastic, pull.elastic);
-  const double elastic_slope = tether.stiffness * tau;
-  if (pull.damping >= pull.elastic) {
-    pull.slope = 2 * elastic_slope;
-  } else if (pull.damping > -pull.elastic) {
-    pull.slope = elastic_slope + tether.damping;
-  }
+  pull.force = cord_force(tether, stretched, pull.rate, tau);
   return pull;
 }
 
 Loads::Row Tethers::slack_pull(const Tether& tether, const Pose& pose) const {
   const Vector3 arm = pose.rotation * tether.point;
-  Vector3 direction = tether.anchor - pose.position - arm;
-  direction.z() = 0;
-  direction /= std::max(direction.norm(), kFullPull);
+  const Vector3 direction = slack_direction(tether.anchor - pose.position - arm);
   Vector6 row;
   row << direction, arm.cross(direction);
   return {row, tether.slack_pull, 0};
@@ -64,7 +51,7 @@ void Tethers::evaluate(double tau, const State& start, const Pose& pose, const V
   for (std::size_t i = 0; i < tethers_.size(); ++i) {
     if (broken(start, i)) continue;
     const Pull p = pull(tethers_[i], tau, start, pose, velocity);
-    rows.push_back({p.row, p.elastic + p.damping, p.slope});
+    rows.push_back({p.row, p.force.sum(), p.force.slope});
     if (tethers_[i].slack_pull > 0) rows.push_back(slack_pull(tethers_[i], pose));
   }
 }
@@ -75,11 +62,11 @@ double Tethers::finish(double tau, const State& start, const Pose& pose, const V
   for (std::size_t i = 0; i < tethers_.size(); ++i) {
     if (broken(start, i)) continue;
     const Pull p = pull(tethers_[i], tau, start, pose, velocity);
-    power.damper_loss += p.damping * p.rate;
+    power.damper_loss += p.force.damping * p.rate;
     if (tethers_[i].slack_pull > 0)
       power.work_of_forces +=
           tethers_[i].slack_pull * slack_pull(tethers_[i], pose).direction.dot(velocity);
-    if (p.elastic > 0) rates += tethers_[i].stiffness * p.rate * p.rate;
+    if (p.force.elastic > 0) rates += tethers_[i].stiffness * p.rate * p.rate;
   }
   return rates;
 }
@@ -116,8 +103,7 @@ double Tethers::stored_energy(const State& state) const {
 }
 
 double Tethers::tension(std::size_t i, const State& state) const {
-  const Pull p = pull(tethers_[i], 0, state, state.pose(), state.velocity.chassis);
-  return p.elastic + p.damping;
+  return pull(tethers_[i], 0, state, state.pose(), state.velocity.chassis).force.sum();
 }
 
 }  // namespace gurney

@@ -5,21 +5,17 @@
 #include "engine/caster/caster_dynamics.h"
 #include "engine/response/energy_account.h"
 #include "engine/scene/scene.h"
+#include "engine/solver/cord_law.h"
 #include "engine/solver/loads.h"
 #include "engine/solver/state.h"
 
 namespace gurney {
 
-/// The tethers of one item. With the length L from its point to its anchor, the stretch s = L - L0
-/// and its rate s',
-///
-///     T = k s + min(max(c s', -k s), k s)  for s > 0, else 0,
-///
-/// so that a cord never pushes and takes up its load without a jump. A tether breaks when T reaches its
-/// strength, an event at which a step ends (Stepper), and carries nothing any more. Until then it also
-/// pulls with its slack pull H, horizontally towards the anchor: what hangs or lies on the floor
-/// between the two has a horizontal tension, taut or not. Within kFullPull = 0.1 m of the anchor in
-/// plan H falls to 0 in proportion to the distance.
+/// The tethers of one item that end in the room; those between items are joints (JointLaw). Each pulls with
+/// cord_force() along the line to its anchor, so that a cord never pushes and takes up its load without a jump. A
+/// tether breaks when T reaches its strength, an event at which a step ends (Stepper), and carries nothing any
+/// more. Until then it also pulls with its slack pull H along slack_direction(): what hangs or lies on the floor
+/// between the two has a horizontal tension, taut or not.
 class Tethers {
  public:
   Tethers(const Scene& scene, std::size_t item, const Vector3& chassis_center);
@@ -50,7 +46,8 @@ class Tethers {
  private:
   struct Pull {
     Vector6 row;  // towards the anchor
-    double elastic = 0, damping = 0, slope = 0, rate = 0;
+    CordForce force;
+    double rate = 0;
   };
   Pull pull(const Tether& tether, double tau, const State& start, const Pose& pose,
             const Vector6& velocity) const;
