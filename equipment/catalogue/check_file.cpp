@@ -146,6 +146,8 @@ CheckedFile check_item(const std::string& file) {
       if (variant.empty()) result.name = item.model.name;
       std::vector<std::string> warnings = item.warnings;
       append(warnings, implausible(as_rigid(item)));
+      for (const LoadedContent& content : item.contents)
+        append(warnings, implausible(content.model));
       for (std::string& warning : warnings)
         result.warnings.push_back(variant.empty() ? warning : warning + " (" + variant + ")");
     } catch (const Error& error) {

@@ -97,6 +97,18 @@ Uncertain<CasterPlace> read_place(Table table, std::size_t index, CasterTypes& t
   return place;
 }
 
+/// Which bodies the casters carry, once the parts are known.
+void read_bases(Table& table, Uncertain<ItemDescription>& item) {
+  std::vector<std::size_t> bases;
+  for (Table& place : table.tables("caster"))
+    bases.push_back(read_carrier(place, "on", item.stated().parts));
+  if (!bases.empty() && std::ranges::find(bases, std::size_t{0}) == bases.end())
+    table.note("caster", ": all are on parts; one at least must be on the chassis");
+  item.add([bases](ItemDescription& of_draw, Sampler&) {
+    for (std::size_t i = 0; i < bases.size(); ++i) of_draw.casters[i].on = bases[i];
+  });
+}
+
 Uncertain<PayloadKind> read_payload(Table table, const std::vector<PartDescription>& parts) {
   PayloadKind fixed;
   fixed.name = table.text("name");
@@ -160,6 +172,7 @@ Uncertain<ItemDescription> read_item(Table table) {
   read_marked_points(table, &ItemDescription::marked_points, item);
   for (Table& part : table.tables("part"))
     item.append(&ItemDescription::parts, read_part(part, stated.parts));
+  read_bases(table, item);
   for (Table& payload : table.tables("payload"))
     item.append(&ItemDescription::payloads, read_payload(payload, stated.parts));
   for (Table& content : table.tables("content"))

@@ -16,7 +16,8 @@ namespace gurney::equipment {
 /// One place for a caster on the base plate.
 struct CasterPlace {
   std::string name;
-  std::string where;  ///< `file:line:column`; empty: not from a file
+  std::string where;   ///< `file:line:column`; empty: not from a file
+  std::size_t on = 0;  ///< what stands on it: 0 the chassis, i + 1 part i
   CasterType type;
   Vector3 mount = Vector3::Zero();  ///< of the swivel axis, base axes [m]
   double heading = 0;               ///< initial [rad]

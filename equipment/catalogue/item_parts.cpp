@@ -137,6 +137,7 @@ std::size_t read_carrier(Table& table, const std::string& key,
 Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescription>& before) {
   PartDescription fixed;
   fixed.name = read_name(table);
+  fixed.where = table.where("position_mm");
   fixed.base = read_carrier(table, "on", before);
   const auto kind = static_cast<JointKind>(table.choice("joint", kJointKinds));
   fixed.joint.kind = kind;

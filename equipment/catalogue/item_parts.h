@@ -14,6 +14,7 @@ namespace gurney::equipment {
 /// A body of an item on a joint: a drawer, a door, an arm, a mast, a bag. Base axes.
 struct PartDescription {
   std::string name;
+  std::string where;     ///< `file:line:column`; empty: not from a file
   std::size_t base = 0;  ///< what carries it: 0 the chassis, i + 1 part i, before this one
   Joint joint;           ///< its items aside
   bool locked = false;   ///< held at q = 0

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -107,11 +108,16 @@ Caster make_caster(const CasterPlace& place, std::size_t i, const ItemOptions& o
   return caster;
 }
 
+/// The chassis (0), or part on - 1.
+EquipmentModel& carrier_of(LoadedItem& loaded, std::size_t on) {
+  return on == 0 ? loaded.model : loaded.parts[on - 1].model;
+}
+
 void add_payloads(const PayloadKind& kind, const ItemOptions& options, const Vector3& base,
                   LoadedItem& loaded) {
   const auto wanted = options.payloads.find(kind.name);
   const int count = wanted == options.payloads.end() ? kind.count : wanted->second;
-  EquipmentModel& carrier = kind.on == 0 ? loaded.model : loaded.parts[kind.on - 1].model;
+  EquipmentModel& carrier = carrier_of(loaded, kind.on);
   for (int i = 0; i < count; ++i) {
     const Vector3 center = base + kind.position + Vector3(0, 0, (i + 0.5) * kind.size.z());
     carrier.payloads.push_back({count == 1 ? kind.name : fmt::format("{} {}", kind.name, i + 1),
@@ -186,7 +192,6 @@ LoadedPart load_part(const ItemDescription& item, std::size_t index, const ItemO
   for (const BodyShape& shape : part.shape) model.shape.push_back(shape.moved(base));
   for (const MarkedPoint& point : part.marked_points)
     model.marked_points.push_back({point.name, base + point.position});
-  validate(model);
   return loaded;
 }
 
@@ -215,16 +220,60 @@ std::vector<BodyShape> standing(const std::vector<BodyShape>& shapes) {
 
 std::string before(const std::string& where) { return where.empty() ? "" : where + ": "; }
 
+std::string words_for(const ItemDescription& item, std::size_t carrier) {
+  return carrier == 0 ? "the chassis" : "part '" + item.parts[carrier - 1].name + "'";
+}
+
+const std::vector<BodyShape>& shapes_of(const ItemDescription& item, std::size_t carrier) {
+  return carrier == 0 ? item.shape : item.parts[carrier - 1].shape;
+}
+
+Eigen::AlignedBox3d bounds_of(const std::vector<BodyShape>& shapes) {
+  Eigen::AlignedBox3d bounds;
+  for (const BodyShape& shape : shapes)
+    bounds.extend(
+        Eigen::AlignedBox3d(shape.center - 0.5 * shape.size, shape.center + 0.5 * shape.size));
+  return bounds;
+}
+
+/// Parts that hang on nothing: a position in another unit, or of another origin. A slider or what is fixed has its
+/// joint anywhere.
+/// @throws Error beyond what a boom reaches
+void check_places(const ItemDescription& item, std::vector<std::string>& warnings) {
+  constexpr double kUsual = 1, kFarthest = 5;  // [m]
+  Diagnostics errors;
+  for (const PartDescription& part : item.parts) {
+    const Eigen::AlignedBox3d own = bounds_of(part.shape),
+                              below = bounds_of(shapes_of(item, part.base));
+    double gap = own.exteriorDistance(below);
+    if (part.joint.kind != Joint::Kind::kSlider && part.joint.kind != Joint::Kind::kFixed)
+      gap = std::max(
+          {gap, own.exteriorDistance(part.joint.point), below.exteriorDistance(part.joint.point)});
+    const std::string line = fmt::format(
+        "{}part '{}': its shapes, its joint and {}, which carries it, are {:.0f} mm apart",
+        before(part.where), part.name, words_for(item, part.base), gap * kMillimetersPerMeter);
+    if (gap > kFarthest)
+      errors.add(line + fmt::format(": must be within {:g} mm", kFarthest * kMillimetersPerMeter));
+    else if (gap > kUsual)
+      warnings.push_back(line + "; positions are in mm, from the underside of the base plate");
+  }
+  errors.raise();
+}
+
 LoadedContent load_content(const ItemDescription& item, const ContentDescription& content,
                            const ItemOptions& options, const Vector3& base) {
-  const std::vector<BodyShape>& below =
-      content.on == 0 ? item.shape : item.parts[content.on - 1].shape;
-  require(carries(below, content),
-          fmt::format(
-              "{}content '{}': no shape of {} has a level top below it at {:g} mm",
-              before(content.where), content.name,
-              content.on == 0 ? "the chassis" : "part '" + item.parts[content.on - 1].name + "'",
-              content.position.z() * kMillimetersPerMeter));
+  require(carries(shapes_of(item, content.on), content),
+          fmt::format("{}content '{}': no shape of {} has a level top below it at {:g} mm",
+                      before(content.where), content.name, words_for(item, content.on),
+                      content.position.z() * kMillimetersPerMeter));
+  // Heights that a content stands at, and depths that it may overlap by, are known to 1 mm.
+  constexpr double kThinnest = 2e-3;  // [m]
+  const double thinnest = bounds_of(content.shape).sizes().minCoeff();
+  require(
+      thinnest >= kThinnest,
+      fmt::format("{}content '{}': is {:.3g} mm in its smallest extent: must be {:g} mm or more",
+                  before(content.where), content.name, thinnest * kMillimetersPerMeter,
+                  kThinnest * kMillimetersPerMeter));
   LoadedContent loaded;
   loaded.on = content.on;
   loaded.position = base + content.position;
@@ -303,6 +352,7 @@ EquipmentModel as_rigid(const LoadedItem& item) {
                               part.model.chassis_center_of_mass, part.model.chassis_inertia});
     whole.payloads.insert(whole.payloads.end(), part.model.payloads.begin(),
                           part.model.payloads.end());
+    whole.casters.insert(whole.casters.end(), part.model.casters.begin(), part.model.casters.end());
   }
   for (const LoadedContent& content : item.contents) {
     const Eigen::AngleAxisd turn(content.yaw, Vector3::UnitZ());
@@ -326,13 +376,14 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   model.chassis_center_of_mass = base + item.chassis_center_of_mass;
   model.chassis_inertia = item.chassis_inertia;
   for (const BodyShape& shape : item.shape) model.shape.push_back(shape.moved(base));
-  for (std::size_t i = 0; i < item.casters.size(); ++i)
-    model.casters.push_back(make_caster(item.casters[i], i, options, loaded.assumptions));
   for (const MarkedPoint& point : item.marked_points)
     model.marked_points.push_back({point.name, base + point.position});
-  add_contact(item.contact, options, loaded);
   for (std::size_t i = 0; i < item.parts.size(); ++i)
     loaded.parts.push_back(load_part(item, i, options, base));
+  for (std::size_t i = 0; i < item.casters.size(); ++i)
+    carrier_of(loaded, item.casters[i].on)
+        .casters.push_back(make_caster(item.casters[i], i, options, loaded.assumptions));
+  add_contact(item.contact, options, loaded);
   for (const PayloadKind& kind : item.payloads) add_payloads(kind, options, base, loaded);
   for (const ContentDescription& content : item.contents) {
     if (options.contents && !has(*options.contents, content.name)) continue;
@@ -342,7 +393,11 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   check_contents(item, loaded);
   if (options.floor) add_assumptions(loaded.assumptions, options.floor->assumptions);
   validate(model);
-  loaded.warnings = stability_of(as_rigid(loaded)).warnings;
+  for (const LoadedPart& part : loaded.parts) validate(part.model);
+  check_places(item, loaded.warnings);
+  const Stability stability = stability_of(as_rigid(loaded));
+  loaded.warnings.insert(loaded.warnings.end(), stability.warnings.begin(),
+                         stability.warnings.end());
   return loaded;
 }
 

@@ -32,7 +32,8 @@ struct ItemOptions {
 /// A part of an item ready for the engine, in item axes.
 struct LoadedPart {
   EquipmentModel model;
-  Joint joint;  ///< base: 0 the chassis, i + 1 part i; part aside
+  Joint joint;            ///< base: 0 the chassis, i + 1 part i; part aside
+  double coordinate = 0;  ///< q, or its angle, where `model` is (at_rest.h) [m], [rad]
 };
 
 /// A loose body that stands on an item, in the axes of one on the floor.
@@ -66,7 +67,8 @@ struct LoadedItem {
 ///         stand in something), with the place of a caster or a content that was read from a file.
 LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options = {});
 
-/// The item with its parts and contents as payloads, its masses as it stands, and with the shapes of its parts.
+/// The item with its parts and contents as payloads, its masses as it stands, and with the shapes and casters of
+/// its parts.
 EquipmentModel as_rigid(const LoadedItem& item);
 
 /// Constants of the item's chassis, or its feet, against the floor.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
+#include "equipment/catalogue/at_rest.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
@@ -46,7 +47,7 @@ int show(const ShownItem& options) {
   const std::string file = data_file(equipment::DataKind::kItem, options.item);
   const equipment::ItemDescription item =
       equipment::load_item_description(file, options.variants).stated();
-  const equipment::LoadedItem loaded = assemble_item(item, item_options(options, item));
+  const equipment::LoadedItem loaded = at_rest(assemble_item(item, item_options(options, item)));
   const report::EquipmentFacts facts = report::equipment_facts(item, loaded);
   options.figure.write([&] { return figures::equipment_figure(facts); }, true);
   print_findings(report::equipment_findings(facts, options.assumptions), options.json);

@@ -84,9 +84,12 @@ void write_item(const ExportOptions& options, const study::TakeFile& take) {
   const equipment::LoadedItem loaded = equipment::load_item(
       data_file(equipment::DataKind::kItem, options.file), {}, options.variants);
   std::vector<study::PartBody> parts;
-  for (const equipment::LoadedPart& part : loaded.parts)
+  for (const equipment::LoadedPart& part : loaded.parts) {
     parts.push_back(
         {part.model.name, part.joint, chassis_with_payloads(part.model), part.model.shape});
+    for (const Caster& caster : part.model.casters)
+      parts.back().casters.push_back({{}, {}, caster, {}, {}});
+  }
   for (const equipment::LoadedContent& content : loaded.contents)
     parts.push_back({content.model.name,
                      {},

@@ -22,16 +22,25 @@ double carried_mass(const Scene& scene, std::size_t item) {
   return mass;
 }
 
+/// Whether parts of an item have casters, whose grip and support are not those of its chassis.
+bool stands_on_parts(const Scene& scene, std::size_t item) {
+  for (std::size_t i = item + 1; i < scene.items.size(); ++i)
+    if (!scene.items[i].model.casters.empty() && root_of(scene, i) == item) return true;
+  return false;
+}
+
 ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std::size_t index) {
   const ItemResponse& item = response.items[index];
   const EquipmentModel& model = facts.scene.items.at(index).model;
   const Demands& d = item.demands;
   const bool is_part = joint_of(facts.scene, index).has_value();
+  const bool on_parts = stands_on_parts(facts.scene, index);
   const double own_mass = whole_item(model).mass, mass = carried_mass(facts.scene, index);
   ItemFacts result{.name = study::item_names(facts.scene).at(index),
                    .has_casters = !model.casters.empty(),
-                   .on_floor = carrier_of(facts.scene, index) == index,
+                   .on_floor = carrier_of(facts.scene, index) == index && !on_parts,
                    .is_part = is_part,
+                   .stands_on_parts = on_parts,
                    .mass = mass,
                    .carries = mass > own_mass,
                    .height_of_center_of_mass = whole_item(model).center_of_mass.z(),
@@ -46,7 +55,8 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
                    .grip = {},
                    .first_lifted = {},
                    .first_skidded = {}};
-  if (!is_part) result.tilt = tilt_margin(model, item.history, until_overturned(item));
+  if (!is_part && !result.stands_on_parts)
+    result.tilt = tilt_margin(model, item.history, until_overturned(item));
   if (result.on_floor)
     result.grip = grip_margin(facts, index, result.mass, item.history, until_overturned(item));
   result.finding = finding_of(response, index, result.tilt.ratio());
@@ -183,7 +193,8 @@ Tracks tracks_of(const study::RunFacts& facts, const ItemResponse& item, const E
     tracks.floor.push_back(along.dot(facts.floor.acceleration_at(sample.time).head<2>()));
     tracks.displacement.push_back(sample.displacement.head<2>().norm());
     tracks.tilt.push_back(sample.tilt);
-    tracks.critical.push_back(of.item().is_part ? kNone : critical_tilt(model, sample));
+    tracks.critical.push_back(
+        of.item().is_part || of.item().stands_on_parts ? kNone : critical_tilt(model, sample));
     tracks.demand.push_back(grip.demand);
     tracks.grip.push_back(grip.grip);
     tracks.energy.push_back(sample.energy);

@@ -85,8 +85,10 @@ struct GripMargin {
 struct ItemFacts {
   std::string name;
   bool has_casters = false;
-  bool on_floor = true;  ///< not a part, nor on another item: only then it has a grip
+  bool on_floor = true;  ///< on its own casters or feet: only then it has a grip
   bool is_part = false;  ///< which a joint holds: it has no edge to tip over
+  bool stands_on_parts =
+      false;             ///< some of its casters are theirs: neither edge nor grip are known
   double mass = 0;       ///< with what it carries [kg]
   bool carries = false;  ///< mass is more than its own
   double height_of_center_of_mass = 0;  ///< [m]

@@ -22,19 +22,10 @@ namespace {
 
 constexpr double kFarther = 0.5;  // [m]
 
-Vector3 on_floor(const PlacedItem& item, const Vector3& point) {
-  const Eigen::AngleAxisd turned(item.initial.yaw, Vector3::UnitZ());
-  Vector3 place = turned * point;
-  place.head<2>() += item.initial.position.head<2>();
-  return place;
-}
-
-/// Cords reach the item where it stands now.
-void lengthen_tethers(Scene& scene, std::size_t item) {
+/// Cords reach what has been moved.
+void lengthen_tethers(Scene& scene) {
   for (Tether& tether : scene.tethers)
-    if (tether.item == item)
-      tether.slack_length = std::max(
-          tether.slack_length, (tether.anchor - on_floor(scene.items[item], tether.point)).norm());
+    tether.slack_length = std::max(tether.slack_length, placed_length(scene, tether));
 }
 
 /// Obstacle that the item overlaps at the start; empty: none.
@@ -58,17 +49,29 @@ class Variants {
       : scene_(facts.scene), of_(of), item_(scene_.items.at(of.subject)) {}
 
   void brakes() {
-    const std::vector<Caster>& casters = item_.model.casters;
+    std::vector<Caster> casters;
+    const auto each = [this](const Scene& scene, const auto& visit) {
+      for (std::size_t i = 0; i < scene.items.size(); ++i)
+        if (root_of(scene, i) == of_.subject) visit(i);
+    };
+    each(scene_, [&](std::size_t i) {
+      const std::vector<Caster>& own = scene_.items[i].model.casters;
+      casters.insert(casters.end(), own.begin(), own.end());
+    });
     const auto braked = [](const Caster& c) { return c.brake_torque > 0; };
     Variant& on = add("all brakes on", "Locking every wheel");
-    for (Caster& caster : of(on).model.casters)
-      if (!braked(caster)) caster.brake_torque = std::numeric_limits<double>::infinity();
+    each(on.scene, [&](std::size_t i) {
+      for (Caster& caster : on.scene.items[i].model.casters)
+        if (!braked(caster)) caster.brake_torque = std::numeric_limits<double>::infinity();
+    });
     if (casters.empty())
       on.reason = "it has no casters";
     else if (std::ranges::all_of(casters, braked))
       on.reason = "all of its casters are braked already";
     Variant& off = add("all brakes off", "Releasing its brakes");
-    for (Caster& caster : of(off).model.casters) caster.brake_torque = 0;
+    each(off.scene, [&](std::size_t i) {
+      for (Caster& caster : off.scene.items[i].model.casters) caster.brake_torque = 0;
+    });
     if (casters.empty())
       off.reason = "it has no casters";
     else if (std::ranges::none_of(casters, braked))
@@ -118,10 +121,13 @@ class Variants {
   }
 
   void tethers() {
-    const bool tethered =
-        std::ranges::any_of(scene_.tethers, [&](const Tether& t) { return t.item == of_.subject; });
+    const auto holds = [this](const Tether& tether) {
+      return root_of(scene_, tether.item) == of_.subject ||
+             (tether.anchor_item && root_of(scene_, *tether.anchor_item) == of_.subject);
+    };
+    const bool tethered = std::ranges::any_of(scene_.tethers, holds);
     Variant& without = add("without its cords", "Taking its cords away");
-    std::erase_if(without.scene.tethers, [&](const Tether& t) { return t.item == of_.subject; });
+    std::erase_if(without.scene.tethers, holds);
     if (!tethered) without.reason = "nothing ties it to the room";
     Variant& straps = add("with two straps", "Holding it with two straps");
     if (of_.direction.isZero()) {
@@ -147,7 +153,7 @@ class Variants {
     const std::size_t carrier = carrier_of(variant.scene, of_.subject);
     const InitialMotion from = variant.scene.items[carrier].initial;
     move_item(variant.scene, carrier, from.position + Vector3(by.x(), by.y(), 0), from.yaw + turn);
-    lengthen_tethers(variant.scene, of_.subject);
+    lengthen_tethers(variant.scene);
     if (const std::string in = obstacle(variant.scene, of_.subject); !in.empty())
       variant.reason = "it would stand in " + in;
   }
@@ -347,7 +353,7 @@ Tether strap_of(const Scene& scene, std::size_t item, const std::string& name,
   strap.name = name;
   strap.item = item;
   strap.point = whole_item(placed.model).center_of_mass;
-  const Vector3 from = on_floor(placed, strap.point);
+  const Vector3 from = placed_point(scene, item, strap.point);
   strap.anchor = from;
   strap.anchor.head<2>() += (reach + kOutside) * towards;
   strap.slack_length = (strap.anchor - from).norm() + kSlack;

@@ -37,14 +37,17 @@ ItemBodies item_bodies(const EquipmentModel& item, std::vector<PartBody> parts) 
                     item.marked_points,
                     std::move(parts)};
   std::vector<std::string> taken{"floor", "chassis"};
-  for (const Caster& caster : item.casters) {
+  const auto bodies_of = [&taken](const Caster& caster) -> CasterBodies {
     const std::string name = own_name(caster.name, "caster", taken);
-    bodies.casters.push_back({own_name(name + "_fork", "fork", taken),
-                              own_name(name + "_wheel", "wheel", taken), caster,
-                              hinge_of(caster.swivel, caster.swivel_lock_torque, caster.swivels),
-                              hinge_of(caster.axle, caster.brake_torque, true)});
+    return {own_name(name + "_fork", "fork", taken), own_name(name + "_wheel", "wheel", taken),
+            caster, hinge_of(caster.swivel, caster.swivel_lock_torque, caster.swivels),
+            hinge_of(caster.axle, caster.brake_torque, true)};
+  };
+  for (const Caster& caster : item.casters) bodies.casters.push_back(bodies_of(caster));
+  for (PartBody& part : bodies.parts) {
+    part.name = own_name(part.name, "part", taken);
+    for (CasterBodies& each : part.casters) each = bodies_of(each.caster);
   }
-  for (PartBody& part : bodies.parts) part.name = own_name(part.name, "part", taken);
   std::vector<std::string> points;
   for (MarkedPoint& point : bodies.points) point.name = own_name(point.name, "point", points);
   return bodies;
@@ -186,7 +189,9 @@ std::string mjcf_parts(const ItemBodies& item, std::size_t base) {
     if (!part.joint || part.joint->base != base) continue;
     text += fmt::format("      <body name=\"{}\">\n", part.name) + mjcf_part_joint(part) +
             "      " + mjcf_inertial(part.body.mass, part.body.center_of_mass, part.body.inertia) +
-            mjcf_shape(part.shape, part.name, "") + mjcf_parts(item, i + 1) + "      </body>\n";
+            mjcf_shape(part.shape, part.name, "");
+    for (const CasterBodies& each : part.casters) text += mjcf_caster(each);
+    text += mjcf_parts(item, i + 1) + "      </body>\n";
   }
   return text;
 }

@@ -32,6 +32,7 @@ struct PartBody {
   double friction = 0, rolling_resistance = 0;  ///< of a content [-], [m]
   double yaw = 0;                               ///< of a content, about its origin [rad]
   Vector3 origin = Vector3::Zero();
+  std::vector<CasterBodies> casters = {};  ///< of a part; as given, names and hinges aside
 };
 
 struct ItemBodies {

@@ -267,7 +267,7 @@ Panel scene_panel(const Scene& scene) {
     const PlacedItem& item = scene.items.at(tether.item);
     const Vector2 point =
         (item.initial.position + at_start(item).orientation * tether.point).head<2>();
-    panel.curves.push_back(line({tether.anchor.head<2>(), point}, label,
+    panel.curves.push_back(line({placed_anchor(scene, tether).head<2>(), point}, label,
                                 {.stroke = "#117733", .width = 1.2, .dash = "2 2"}));
     label.clear();
   }

@@ -155,15 +155,17 @@ void draw_tethers(Plan& plan, const Scene& scene, const Response& response) {
     const Tether& tether = scene.tethers[i];
     const TetherOutcome outcome =
         i < response.tethers.size() ? response.tethers[i] : TetherOutcome();
-    const std::vector<Sample>& history = response.items.at(tether.item).history;
     const bool broke = outcome.time_broken >= 0;
     const Pen pen{
         .stroke = broke ? kImpactColor : "#117733", .width = 1.2, .dash = broke ? "2 3" : ""};
-    const Vector2 anchor = tether.anchor.head<2>();
-    plan.line(anchor,
-              at(scene.items[tether.item],
-                 broke ? history.front() : explanation::last_finite(history), tether.point),
-              pen);
+    const auto end = [&](std::size_t item, const Vector3& point) {
+      const std::vector<Sample>& history = response.items.at(item).history;
+      return at(scene.items[item], broke ? history.front() : explanation::last_finite(history),
+                point);
+    };
+    const Vector2 anchor =
+        tether.anchor_item ? end(*tether.anchor_item, tether.anchor) : tether.anchor.head<2>();
+    plan.line(anchor, end(tether.item, tether.point), pen);
     plan.dot(anchor, 3, {.stroke = pen.stroke, .width = 1.2, .fill = "#ffffff"});
   }
 }
@@ -294,7 +296,7 @@ Panel fitted_panel(const Scene& scene, const Response& response) {
   };
   for (const RoomShape& shape : scene.room) include_all(explanation::footprint(shape));
   for (const Zone& zone : scene.zones) include_all(explanation::footprint(zone));
-  for (const Tether& tether : scene.tethers) include(panel, tether.anchor.head<2>());
+  for (const Tether& tether : scene.tethers) include(panel, placed_anchor(scene, tether).head<2>());
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const PlacedItem& item = scene.items[i];
     const std::vector<Sample>& history = response.items.at(i).history;

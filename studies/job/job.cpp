@@ -343,7 +343,8 @@ JobReading read(config::Document& document) {
   read_job_room(root, names, job);
   std::vector<Table> items = read_items(root, names.shapes, job);
   unfold_items(job);
-  read_tethers(root, job);
+  const bool stands = document.clean();
+  const TetherSpots tethers = read_tethers(root, job);
   if (auto table = root.table("excitation")) {
     job.add([record = read_record_request(*table)](JobParts& of_draw, equipment::Sampler&) {
       of_draw.record = record;
@@ -357,6 +358,7 @@ JobReading read(config::Document& document) {
   furnish(root, items, job);
   read_supports(items, job);
   place_unfolded(job);
+  if (stands) check_tethers(tethers, document, job);
   if (document.clean()) {
     std::vector<config::Spot> positions, places;
     for (const Table& item : items) {

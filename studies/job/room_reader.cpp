@@ -114,35 +114,42 @@ void add_pairs(const std::vector<config::Spot>& spots, JobParts& job, equipment:
 using config::Range;
 using config::Table;
 
-std::size_t read_item(Table& table, const std::vector<PlacedItem>& items) {
-  if (items.size() == 1 && !table.has("item")) return 0;
-  const std::string name = table.text("item");
+/// Index of the item, part or content that `key` names.
+std::size_t read_item(Table& table, const char* key, const std::vector<PlacedItem>& items) {
+  const std::string name = table.text(key);
   std::vector<std::string> known;
   for (const PlacedItem& item : items) known.push_back(item.name);
   const auto found = std::ranges::find(known, name);
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  if (table.is_text("item"))
-    table.note("item", " = \"" + name + "\": no such item" + config::suggestion(name, known));
+  if (table.is_text(key))
+    table.note(key, " = \"" + name + "\": no such item" + config::suggestion(name, known));
   return 0;
 }
 
-/// A place, or the index of a point of the room.
+/// A place, of an item where there is one, or the index of a point of the room.
 struct Anchor {
   std::optional<std::array<equipment::StatedQuantity, 3>> place;
-  std::optional<std::size_t> point;
+  std::optional<std::size_t> point, item;
 };
 
-Anchor read_anchor(equipment::Quantities& in, const std::vector<equipment::RoomPoint>& points) {
+Anchor read_anchor(equipment::Quantities& in, const std::vector<PlacedItem>& items,
+                   const std::vector<equipment::RoomPoint>& points) {
   Table& table = in.table();
+  if (table.has("anchor_item")) {
+    if (table.has("anchor"))
+      table.note("anchor", ": must not be given with anchor_item, whose place is anchor_m");
+    const std::size_t item = read_item(table, "anchor_item", items);
+    return {in.vector("anchor_m", Range::any()), {}, item};
+  }
   if (table.has("anchor") == table.has("anchor_m")) {
     table.note("anchor", ": must name a [[room.point]], or anchor_m must give a place, not both");
     return {};
   }
-  if (table.has("anchor_m")) return {in.vector("anchor_m", Range::any()), {}};
+  if (table.has("anchor_m")) return {in.vector("anchor_m", Range::any()), {}, {}};
   const std::string name = table.text("anchor");
   std::vector<std::string> known;
   for (const equipment::RoomPoint& point : points) {
-    if (point.name == name) return {{}, known.size()};
+    if (point.name == name) return {{}, known.size(), {}};
     known.push_back(point.name);
   }
   if (table.is_text("anchor"))
@@ -196,21 +203,6 @@ void set_constants(const Constants& constants, Tether& tether, JobParts& job,
   add_assumptions(job.assumptions, usual.assumptions);
 }
 
-double distance_at_start(const Tether& tether, const InitialMotion& start) {
-  const Vector3 point =
-      start.position + Eigen::AngleAxisd(start.yaw, Vector3::UnitZ()) * tether.point;
-  return (point - tether.anchor).norm();
-}
-
-void check_length(const Tether& tether, const PlacedItem& item, const config::Spot& spot,
-                  equipment::Sampler& of) {
-  const double distance = distance_at_start(tether, item.initial);
-  if (!(tether.slack_length >= distance))
-    of.error(spot, fmt::format(" = {:g}: must be at least {:.4g}, the distance from '{}' to the "
-                               "anchor at the start",
-                               tether.slack_length, distance, item.name));
-}
-
 /// @return the index of its item
 std::size_t read_tether(Table& table, const std::string& element, const std::string& name,
                         JobReading& job) {
@@ -219,11 +211,16 @@ std::size_t read_tether(Table& table, const std::string& element, const std::str
   equipment::Quantities in(table);
   Tether fixed;
   fixed.name = name;
-  fixed.item = read_item(table, job.stated().scene.items);
+  const std::vector<PlacedItem>& items = job.stated().scene.items;
+  if (job.stated().unfolded.size() > 1 || table.has("item"))
+    fixed.item = read_item(table, "item", items);
   const auto point = in.vector("point_m", Range::any());
-  const Anchor anchor = read_anchor(in, job.stated().room.points);
+  const Anchor anchor = read_anchor(in, items, job.stated().room.points);
+  fixed.anchor_item = anchor.item;
+  if (anchor.item == fixed.item && document.errors() == errors)
+    table.note("anchor_item",
+               fmt::format(" = \"{}\": must not be the tether's own item", items[fixed.item].name));
   const equipment::StatedQuantity slack = in.number("slack_length_m", Range::positive());
-  const bool clean = document.errors() == errors;
   const Constants constants = read_constants(in);
   job.add(document, [=](JobParts& of_draw, equipment::Sampler& of_job) {
     equipment::Sampler of = of_job.of_element(element, name);
@@ -233,7 +230,6 @@ std::size_t read_tether(Table& table, const std::string& element, const std::str
     if (anchor.point) tether.anchor = of_draw.room.points[*anchor.point].position;
     tether.slack_length = of(slack);
     set_constants(constants, tether, of_draw, of);
-    if (clean) check_length(tether, of_draw.scene.items[tether.item], slack.spot, of);
     of_draw.scene.tethers.push_back(tether);
   });
   return fixed.item;
@@ -413,17 +409,38 @@ void furnish(Table& root, std::vector<Table>& items, JobReading& job) {
   });
 }
 
-void read_tethers(Table& root, JobReading& job) {
+TetherSpots read_tethers(Table& root, JobReading& job) {
   equipment::UniqueNames names;
   std::map<std::size_t, std::size_t> of_item;
-  std::size_t index = 0;
+  TetherSpots spots;
   for (Table& table : root.tables("tether")) {
+    const std::size_t index = spots.size(), errors = root.document().errors();
     const std::string name = names.read(table, "tether", index);
     const std::size_t item = read_tether(table, fmt::format("tether[{}]", index), name, job);
     if (++of_item[item] == EquipmentModel::kMaxTethers + 1)
       table.note("item",
                  fmt::format(": must not have more than {} tethers", EquipmentModel::kMaxTethers));
-    ++index;
+    const bool clean = root.document().errors() == errors;
+    spots.push_back(clean ? std::optional(table.spot("slack_length_m")) : std::nullopt);
+  }
+  return spots;
+}
+
+void check_tethers(const TetherSpots& spots, config::Document& document, JobReading& job) {
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    if (!spots[i]) continue;
+    job.add(document, [i, spot = *spots[i]](JobParts& of_draw, equipment::Sampler& of) {
+      const Scene& scene = of_draw.scene;
+      const Tether& tether = scene.tethers[i];
+      const double distance = placed_length(scene, tether);
+      if (!(tether.slack_length >= distance))
+        of.error(spot,
+                 fmt::format(" = {:g}: must be at least {:.4g}, the distance from '{}' to "
+                             "{} at the start",
+                             tether.slack_length, distance, scene.items[tether.item].name,
+                             tether.anchor_item ? "'" + scene.items[*tether.anchor_item].name + "'"
+                                                : "the anchor"));
+    });
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/config/table.h"
@@ -16,9 +17,15 @@ void read_job_room(config::Table& root, equipment::RoomNames& names, JobReading&
 /// @param items  as Scene::items; none: there is an error in them
 void furnish(config::Table& root, std::vector<config::Table>& items, JobReading& job);
 
-/// The tables [[tether]] of a job; the items must be placed and the room read, where a tether may
+/// Where the slack length of each tether stands, as Scene::tethers; none of one that has errors.
+using TetherSpots = std::vector<std::optional<config::Spot>>;
+
+/// The tables [[tether]] of a job; the items with their parts and the room must be read, where a tether may
 /// end. Errors are noted in the document.
-void read_tethers(config::Table& root, JobReading& job);
+TetherSpots read_tethers(config::Table& root, JobReading& job);
+
+/// Notes each tether that is too short where all is placed.
+void check_tethers(const TetherSpots& spots, config::Document& document, JobReading& job);
 
 /// The key `on` of items: what each stands on in place of the floor, an item before it or a box or column of the
 /// room. Its position and yaw are then those in the axes of that item. The room is in the scene already.

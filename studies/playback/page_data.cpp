@@ -184,6 +184,7 @@ Json tethers_of(const RecordedRun& run) {
                    {"item", tether.item},
                    {"point", json_of(tether.point)},
                    {"anchor", json_of(tether.anchor)},
+                   {"anchor_item", tether.anchor_item},
                    {"slack_length", tether.slack_length},
                    {"time_broken", tether.time_broken}});
   return all;

@@ -339,9 +339,14 @@ void read_places(const Hdf5Reader& file, RecordedRun& run) {
                        "/tethers/point_x", "/tethers/point_y", "/tethers/point_z",
                        "/tethers/anchor_x", "/tethers/anchor_y", "/tethers/anchor_z"},
                       tethers.size());
+  std::vector<std::string> anchors(tethers.size());
+  if (file.has("/tethers/anchor_item")) {
+    file.require_length({"/tethers/anchor_item"}, tethers.size());
+    anchors = file.strings("/tethers/anchor_item");
+  }
   for (std::size_t i = 0; i < tethers.size(); ++i)
     run.tethers.push_back({tethers[i], items[i], vector_at(file, "/tethers/point", i),
-                           vector_at(file, "/tethers/anchor", i), slack[i], broken[i]});
+                           vector_at(file, "/tethers/anchor", i), slack[i], broken[i], anchors[i]});
 }
 
 /// Samples of a run that diverged may end in what are no numbers.

@@ -43,6 +43,7 @@ struct RecordedTether {
   std::string name, item;
   Vector3 point = Vector3::Zero(), anchor = Vector3::Zero();
   double slack_length = 0, time_broken = -1;
+  std::string anchor_item = {};  ///< in whose axes the anchor is; empty: the floor's
 };
 
 /// What happened at a time of a run.

@@ -227,14 +227,19 @@ class RoomScene {
   }
 
   putTether(put, tether, at, offset, theme) {
-    const item = this.run.items.find((each) => each.name === tether.item);
-    if (!item) return;
-    const pose = itemPose(item, at);
-    const from = add(pose.p, rotated(pose.q, tether.point));
+    const place = (name, point) => {
+      const item = this.run.items.find((each) => each.name === name);
+      if (!item) return null;
+      const pose = itemPose(item, at);
+      return add(pose.p, rotated(pose.q, point));
+    };
+    const from = place(tether.item, tether.point);
+    const to = tether.anchor_item ? place(tether.anchor_item, tether.anchor) : tether.anchor;
+    if (!from || !to) return;
     const now = mix(this.run.time[at.sample], this.run.time[at.next], at.fraction);
     const broken = tether.time_broken >= 0 && now >= tether.time_broken;
-    const points = broken ? hangingCord(from, tether) : cord(from, tether);
-    const taut = !broken && norm(subtract(from, tether.anchor)) >= tether.slack_length;
+    const points = broken ? hangingCord(from, to, tether) : cord(from, to, tether);
+    const taut = !broken && norm(subtract(from, to)) >= tether.slack_length;
     const tint = broken || taut ? [0.9, 0.2, 0.12] : theme.cord;
     for (let i = 1; i < points.length; ++i) put(this.stick, stickMatrix(add(points[i - 1], offset), add(points[i], offset), 0.012), { tint, casts: true });
   }
@@ -288,20 +293,20 @@ class RibbonBuilder {
 }
 
 /// A slack cord sags as a parabola of its length: sag^2 = 3/8 d (L - d).
-function cord(from, tether) {
-  const span = norm(subtract(tether.anchor, from));
+function cord(from, to, tether) {
+  const span = norm(subtract(to, from));
   const sag = Math.sqrt(Math.max(0, (3 / 8) * span * (tether.slack_length - span)));
   return Array.from({ length: 15 }, (_, i) => {
     const f = i / 14;
-    const p = from.map((v, k) => mix(v, tether.anchor[k], f));
+    const p = from.map((v, k) => mix(v, to[k], f));
     return [p[0], p[1], Math.max(0.012, p[2] - 4 * sag * f * (1 - f))];
   });
 }
 
 /// From the item down, and what is left of it on the floor towards the anchor.
-function hangingCord(from, tether) {
+function hangingCord(from, to, tether) {
   const foot = [from[0], from[1], 0.012];
-  const flat = subtract([tether.anchor[0], tether.anchor[1], 0.012], foot);
+  const flat = subtract([to[0], to[1], 0.012], foot);
   const left = Math.min(Math.max(0, tether.slack_length - from[2]), norm(flat));
   return [from, foot, add(foot, scaled(unit(flat), left))];
 }

@@ -124,6 +124,26 @@ Table wheels(const EquipmentFacts& facts) {
   return table;
 }
 
+/// Where its parts come to rest.
+Table parts(const EquipmentFacts& facts) {
+  Table table{"parts", "parts at rest", {}};
+  for (const equipment::LoadedPart& part : facts.parts) {
+    const Joint& joint = part.joint;
+    const bool slides = joint.kind == Joint::Kind::kSlider;
+    const double unit = slides ? 1 / kMillimetersPerMeter : kRadiansPerDegree;
+    add_row(
+        table,
+        {{{"part", "part"}, part.model.name},
+         {{"on", "on"},
+          joint.base == 0 ? std::string("chassis") : facts.parts[joint.base - 1].model.name},
+         {{"joint", "joint"}, equipment::name_of(joint.kind)},
+         {{"mass_kg", "mass", {".1f", "kg"}}, chassis_with_payloads(part.model).mass},
+         {{"", "q"}, fmt::format("{:.1f} {}", part.coordinate / unit + 0.0, slides ? "mm" : "deg")},
+         {"coordinate", part.coordinate}});
+  }
+  return table;
+}
+
 Section motion(const EquipmentFacts& facts) {
   const equipment::ItemSheet& sheet = facts.sheet;
   const bool rolls = !facts.model.casters.empty();
@@ -295,8 +315,12 @@ EquipmentFacts equipment_facts(const equipment::ItemDescription& item,
                        item.variants,   loaded.assumptions,
                        loaded.warnings, loaded.parts,
                        loaded.contents};
-  for (std::string& finding : equipment::implausible(whole))
-    facts.warnings.push_back(std::move(finding));
+  const auto add = [&facts](const EquipmentModel& model) {
+    for (std::string& finding : equipment::implausible(model))
+      facts.warnings.push_back(std::move(finding));
+  };
+  add(whole);
+  for (const equipment::LoadedContent& content : loaded.contents) add(content.model);
   return facts;
 }
 
@@ -307,7 +331,9 @@ findings::Section equipment_findings(const EquipmentFacts& facts, bool with_assu
   std::vector<findings::Numbers> polygon;
   for (const Vector2& corner : facts.sheet.support_polygon)
     polygon.push_back({corner.x(), corner.y()});
-  all.json("support_polygon_m", polygon).add(wheels(facts)).add(motion(facts));
+  all.json("support_polygon_m", polygon).add(wheels(facts));
+  if (!facts.parts.empty()) all.add(parts(facts));
+  all.add(motion(facts));
   add_assumptions(all, facts.assumptions, with_assumptions);
   return all.list("warnings", "warnings", facts.warnings);
 }

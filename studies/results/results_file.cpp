@@ -197,17 +197,22 @@ void add_zones(Hdf5Writer& file, const Scene& scene, const std::vector<ZoneOutco
 }
 
 void add_tethers(Hdf5Writer& file, const Scene& scene, const std::vector<TetherOutcome>& tethers) {
-  std::vector<std::string> names, items;
+  std::vector<std::string> names, items, anchors;
   const std::vector<std::string> of_items = item_names(scene);
   for (std::size_t i = 0; i < tethers.size(); ++i) {
-    names.push_back(scene.tethers.at(i).name);
-    items.push_back(of_items.at(scene.tethers[i].item));
+    const Tether& tether = scene.tethers.at(i);
+    names.push_back(tether.name);
+    items.push_back(of_items.at(tether.item));
+    anchors.push_back(tether.anchor_item ? of_items.at(*tether.anchor_item) : "");
   }
   Table table(file, "tethers", tethers.size());
   table.add("tether", "name of the tether", names);
   table.add("item", kItem, items);
   table.add(tether_columns(), tethers);
   add_places(table, scene.tethers, tethers.size());
+  if (std::ranges::any_of(anchors, [](const std::string& each) { return !each.empty(); }))
+    table.add("anchor_item", "where it ends, in whose item axes anchor is; empty: in the room",
+              anchors);
 }
 
 /// The groups that hold one row for each item, wheel, point, impact, zone or tether of a run:

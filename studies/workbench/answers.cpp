@@ -152,13 +152,12 @@ Json plan_answer(const std::string& job) {
   }
   for (const RoomShape& shape : read.scene.room) room.push_back(outline_of(shape));
   for (const Tether& tether : read.scene.tethers) {
-    const InitialMotion& at = read.scene.items[tether.item].initial;
-    const Vector2 from =
-        at.position.head<2>() + Eigen::Rotation2Dd(at.yaw) * tether.point.head<2>();
+    const Vector3 from = placed_point(read.scene, tether.item, tether.point),
+                  to = placed_anchor(read.scene, tether);
     tethers.push_back({{"name", tether.name},
                        {"item", read.scene.items[tether.item].name},
                        {"from", pair(from.x(), from.y())},
-                       {"to", pair(tether.anchor.x(), tether.anchor.y())}});
+                       {"to", pair(to.x(), to.y())}});
   }
   const bool building = read.record && read.record->building;
   return {{"items", items},

@@ -4,6 +4,7 @@
 #include "engine/base/error.h"
 #include "engine/config/document.h"
 #include "engine/config/file_snapshot.h"
+#include "equipment/catalogue/at_rest.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/check_file.h"
 #include "equipment/catalogue/load_item.h"
@@ -53,7 +54,7 @@ Json key_facts(const findings::Section& all) {
 
 Json answer_of(const std::string& path) {
   const equipment::ItemDescription item = equipment::load_item_description(path).stated();
-  const equipment::LoadedItem loaded = equipment::assemble_item(item);
+  const equipment::LoadedItem loaded = equipment::at_rest(equipment::assemble_item(item));
   const report::EquipmentFacts facts = report::equipment_facts(item, loaded);
   const findings::Section all = report::equipment_findings(facts, false);
   Json polygon = Json::array();

@@ -35,7 +35,7 @@ set(GURNEY_ROOMS
   "groundmotions/buildings: engine/base engine/config groundmotions/record groundmotions/formats
     groundmotions/measures"
   "groundmotions/tools: groundmotions/synthetic"
-  "equipment/catalogue: engine/base engine/config engine/scene engine/contact engine/bullet"
+  "equipment/catalogue: engine/base engine/config engine/scene engine/contact engine/bullet engine/run"
   "studies/build_info:"
   "studies/statistics: engine/base"
   "studies/verification/scenes: engine/base engine/scene engine/response"

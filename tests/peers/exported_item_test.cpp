@@ -110,6 +110,7 @@ TEST(ExportedParts, HaveTheMassesAndFreedomsOfOursInMujoco) {
                        chassis_with_payloads(content.model),
                        content.model.shape,
                        content.pairs.front().constants.friction,
+                       content.pairs.front().constants.rolling_resistance,
                        content.yaw,
                        content.position});
     const Model alone = load(study::mjcf_text(study::item_bodies(loaded.model)));

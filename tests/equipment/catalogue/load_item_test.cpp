@@ -6,9 +6,12 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 
 #include "engine/base/units.h"
+#include "equipment/catalogue/at_rest.h"
 #include "equipment/catalogue/catalogue.h"
+#include "equipment/catalogue/support.h"
 #include "tests/support/catalogue_list.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -255,6 +258,80 @@ swivel = { coulomb_n_m = 0, viscous_n_m_s_per_rad = 0 }
   EXPECT_DOUBLE_EQ(wheel.wheel_axial_inertia, 2 * 0.05 * 0.05);  // a hoop: m R^2
   EXPECT_DOUBLE_EQ(wheel.wheel_transverse_inertia, 0.0025 + 2 * 0.002 * 0.002 / 12);
   EXPECT_EQ(wheel.tread.kinetic_friction, 0.4);
+}
+
+std::string tail_of_cart(const std::string& joint) {
+  return "[[part]]\nname = \"tail\"\nposition_mm = [-200, 0, 400]\nmass_kg = 10\n"
+         "center_of_mass_mm = [-400, 0, 400]\ninertia_box_mm = [200, 400, 400]\n" +
+         joint + "[[part.shape]]\ncenter_mm = [-400, 0, 400]\nsize_mm = [200, 400, 400]\n";
+}
+
+// Casters on a part have its axes, stand in their order, and brakes, headings and the floor are theirs as well.
+TEST(LoadItem, CastersStandUnderParts) {
+  const TempFolder folder;
+  const std::string file = folder.path() + "/cart.toml", fixed = "joint = \"fixed\"\n";
+  const std::string rear =
+      "[[caster]]\ntype = \"R100\"\nposition_mm = [-450, 0, 0]\non = \"tail\"\n";
+  std::ofstream(file) << kCart << rear << "brake = true\n" << tail_of_cart(fixed);
+  const LoadedItem item = load_item(file);
+  ASSERT_EQ(item.model.casters.size(), 3u);
+  ASSERT_EQ(item.parts[0].model.casters.size(), 1u);
+  const Caster& caster = item.parts[0].model.casters[0];
+  EXPECT_EQ(caster.name, "caster 4");
+  EXPECT_EQ(caster.mount, Vector3(-0.45, 0, caster.height));
+  EXPECT_GT(caster.brake_torque, 0);
+  EXPECT_EQ(as_rigid(item).casters.size(), 4u);
+  // The wheels' loads are those of four.
+  EXPECT_EQ(stability_of(as_rigid(item)).wheel_loads.size(), 4u);
+  ItemOptions off;
+  off.brakes = {false, false, false, false};
+  EXPECT_EQ(load_item(file, off).parts[0].model.casters[0].brake_torque, 0);
+  std::ofstream(file) << kCart << rear << "trouble = 1\n" << tail_of_cart(fixed);
+  EXPECT_NE(error_text([&] { load_item(file); }).find("trouble: unknown key"), std::string::npos);
+  std::string far = rear;
+  far.replace(far.find("tail"), 4, "tael");
+  std::ofstream(file) << kCart << far << tail_of_cart(fixed);
+  EXPECT_NE(
+      error_text([&] { load_item(file); }).find("on = \"tael\": must be \"chassis\" or a part"),
+      std::string::npos);
+  std::string all = kCart;
+  for (std::size_t at = 0; (at = all.find("type = \"R100\"", at)) != std::string::npos; at += 20)
+    all.insert(at, "on = \"tail\"\n");
+  std::ofstream(file) << all << tail_of_cart(fixed);
+  EXPECT_NE(error_text([&] {
+              load_item(file);
+            }).find("caster: all are on parts; one at least must be on the chassis"),
+            std::string::npos);
+}
+
+// A spring of 1000 N/m along z yields by m g / k = 98 mm under 10 kg; its stop is below. To the micrometre by which
+// joints yield, and the chassis' tilt under a mass that is off its middle.
+TEST(LoadItem, PartsComeToRest) {
+  const TempFolder folder;
+  const std::string file = folder.path() + "/cart.toml";
+  std::ofstream(file)
+      << kCart
+      << tail_of_cart(
+             "joint = \"slider\"\naxis = [0, 0, 1]\nstiffness_n_per_m = 1000\nlower_mm = -300\n");
+  const LoadedItem placed = load_item(file), rests = at_rest(placed);
+  const double sag = 10 * kStandardGravity / 1000;
+  EXPECT_NEAR(rests.parts[0].coordinate, -sag, 2e-5);
+  EXPECT_NEAR(rests.parts[0].model.chassis_center_of_mass.z(),
+              placed.parts[0].model.chassis_center_of_mass.z() - sag, 2e-5);
+  EXPECT_TRUE(rests.parts[0].model.shape[0].is_box());
+  EXPECT_NEAR(whole_item(as_rigid(placed)).center_of_mass.z() -
+                  whole_item(as_rigid(rests)).center_of_mass.z(),
+              sag * 10 / whole_item(as_rigid(placed)).mass, 1e-5);
+  // A flap that hangs down turns by a quarter about its upper edge, and its box with it.
+  std::ofstream(file) << kCart
+                      << tail_of_cart(
+                             "joint = \"hinge\"\naxis = [0, 1, 0]\ndamping_n_m_s_per_rad = 1\n");
+  const LoadedItem flap = at_rest(load_item(file));
+  EXPECT_NEAR(std::abs(flap.parts[0].coordinate), std::numbers::pi / 2, 3e-3);  // the chassis tilts
+  EXPECT_NEAR(flap.parts[0].model.chassis_center_of_mass.z(),
+              load_item(file).parts[0].model.chassis_center_of_mass.z() - 0.2, 1e-3);
+  EXPECT_FALSE(flap.parts[0].model.shape[0].is_box());
+  EXPECT_NEAR(flap.parts[0].model.shape[0].size.z(), 0.2, 2e-3);
 }
 
 }  // namespace

@@ -131,6 +131,41 @@ TEST(JobParts, OnlyHingesAndSlidersAreLocked) {
 
 // I about the foot across the axis: 2 (0.1^2 / 6 + 0.6^2) of the mast, 2 (0.1^2 / 6 + 0.8^2 + 0.3^2 / 2) of the bag 0.3 m
 // beside it; they lift by 0.6 and 0.8 m.
+// The desk stands at (1, 2), turned by 90 degrees: the arm's point (400, 0, 900) mm is at (1, 2.4, 0.9) m of the room,
+// the lamp's top, (100, 0, 700) + (0, 0, 400) mm, at (1, 2.1, 1.1) m.
+TEST(JobParts, TethersHoldThemToTheRoomAndToEachOther) {
+  const std::string to_room =
+      "[[tether]]\nitem = \"desk/arm\"\nkind = \"power_cord\"\npoint_m = [0.4, 0, 0.9]\n"
+      "anchor_m = [1, 3.4, 0.9]\nslack_length_m = 1.01\n";
+  const std::string strap =
+      "[[tether]]\nitem = \"desk/lamp\"\nkind = \"strap\"\npoint_m = [0, 0, 0.4]\n"
+      "anchor_item = \"desk/arm\"\nanchor_m = [0.4, 0, 0.9]\nslack_length_m = 0.37\n";
+  const Job job = job_of_text(job_with("", kArm + kLamp) + to_room + strap);
+  ASSERT_EQ(job.scene.tethers.size(), 2u);
+  EXPECT_EQ(job.scene.tethers[0].item, 1u);
+  EXPECT_FALSE(job.scene.tethers[0].anchor_item);
+  EXPECT_EQ(job.scene.tethers[1].item, 2u);
+  EXPECT_EQ(job.scene.tethers[1].anchor_item, std::size_t{1});
+  EXPECT_NEAR(placed_length(job.scene, job.scene.tethers[0]), 1, 1e-12);
+  EXPECT_NEAR(placed_length(job.scene, job.scene.tethers[1]), std::hypot(0.3, 0.2), 1e-12);
+  const auto errors = [&](const std::string& tether) {
+    return errors_of_text(job_with("", kArm + kLamp) + tether);
+  };
+  EXPECT_THAT(errors(changed(to_room, "= 1.01", "= 0.9")),
+              HasSubstr("tether[0].slack_length_m = 0.9: must be at least 1, the distance from "
+                        "'desk/arm' to the anchor at the start"));
+  EXPECT_THAT(
+      errors(changed(strap, "= 0.37", "= 0.3")),
+      HasSubstr("tether[0].slack_length_m = 0.3: must be at least 0.3606, the distance from "
+                "'desk/lamp' to 'desk/arm' at the start"));
+  EXPECT_THAT(errors(changed(strap, "\"desk/arm\"", "\"desk/arn\"")),
+              HasSubstr("anchor_item = \"desk/arn\": no such item; did you mean 'desk/arm'?"));
+  EXPECT_THAT(errors(changed(strap, "\"desk/arm\"", "\"desk/lamp\"")),
+              HasSubstr("anchor_item = \"desk/lamp\": must not be the tether's own item"));
+  EXPECT_THAT(errors(strap + "anchor = \"socket\"\n"),
+              HasSubstr("anchor: must not be given with anchor_item, whose place is anchor_m"));
+}
+
 TEST(JobParts, FlexibleJointsHaveTheirFrequency) {
   const std::string mast = part("mast", "[0, 0, 1300]",
                                 "joint = \"flexible\"\nfrequency_hz = 2\ndamping_ratio = 0.05\n");
@@ -187,6 +222,33 @@ TEST(JobParts, RefuseWhatCannotBe) {
       HasSubstr("content 'lamp': no shape of the chassis has a level top below it at 750 mm"));
   EXPECT_THAT(errors(changed(kDrawer, "mass_kg = 2", "mass_kg = 0")),
               HasSubstr("part[0].mass_kg = 0: must be"));
+}
+
+// The desk is 900 mm long: the drawer's box, 100 mm, begins 10 m and 1.2 m from its end.
+TEST(JobParts, PartsAndContentsAreOfTheSizeOfTheItem) {
+  const std::string drawer = "joint = \"slider\"\naxis = [1, 0, 0]\n";
+  const auto job = [](const std::string& tables) { return job_with("", tables); };
+  EXPECT_THAT(errors_of_text(job(part("drawer", "[10500, 0, 400]", drawer))),
+              HasSubstr("a.toml:21:15: part 'drawer': its shapes, its joint and the chassis, which "
+                        "carries it, are 10000 mm apart: must be within 5000 mm"));
+  const auto warned = [&](const std::string& tables) {
+    std::string all;
+    for (const std::string& line : job_of_text(job(tables)).warnings) all += line + "\n";
+    return all;
+  };
+  EXPECT_THAT(warned(part("drawer", "[1700, 0, 400]", drawer)),
+              HasSubstr("part 'drawer': its shapes, its joint and the chassis, which carries it, "
+                        "are 1200 mm apart; positions are in mm"));
+  EXPECT_THAT(warned(part("drawer", "[900, 0, 400]", drawer)), Not(HasSubstr("apart")));
+  // A hinge far from its door; of a slider the point is any.
+  const auto displaced = [&](const std::string& joint) {
+    return changed(part("door", "[0, 0, 400]", "joint = \"" + joint + "\"\naxis = [1, 0, 0]\n"),
+                   "position_mm = [0, 0, 400]", "position_mm = [0, 6000, 400]");
+  };
+  EXPECT_THAT(errors_of_text(job(displaced("hinge"))), HasSubstr("must be within 5000 mm"));
+  EXPECT_THAT(warned(displaced("slider")), Not(HasSubstr("apart")));
+  EXPECT_THAT(errors_of_text(job(changed(kLamp, "100, 100, 400]", "1, 100, 400]"))),
+              HasSubstr("content 'lamp': is 1 mm in its smallest extent: must be 2 mm or more"));
 }
 
 TEST(JobParts, ContentsThatOverlapAreAnError) {
