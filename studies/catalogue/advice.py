@@ -22,6 +22,7 @@ ACTIONS = {
 }
 LIFE_SUPPORT = ("For life support (ventilator, incubator, pumps) what counts is that it serves on, not the days: take "
                 "the setting that keeps it in service.")
+LIFE_SUPPORT_ITEMS = ("icu_ventilator", "infusion_pole", "neonatal_incubator", "transport_incubator")
 SETTING_WORDS = {"off": "brakes off", "on": "brakes on", "locked": "brakes on and swivels locked"}
 
 

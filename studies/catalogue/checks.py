@@ -2,20 +2,14 @@
 
 import statistics
 
-import judgements
 from catalogue import BRAKES, motion_rows, rows as rows_of
 from suites import summary
 from tables import MUCH_BETTER, much_better
-from words import read, wrapped
+from words import read, table, wrapped
 
 SHOWN = 0.05  # of p
 MOVED = ["moved 0.1 m", "moved 0.3 m", "moved 1 m"]
 STATES = MOVED + ["overturned"]
-
-
-def table(header, rows):
-    return ["| " + " | ".join(header) + " |", "| --- " * len(header) + "|",
-            *("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows)]
 
 
 def percent(value):
@@ -106,19 +100,6 @@ def not_counted(tables):
                      "exceed, or not:"), "", *table(["item", "overturned, of all", "not counted"], listed)]
 
 
-def judged(tables):
-    items = [row["item"] for row in rows_of("items.csv")]
-    counts = {item: judgements.counts(item) for item in items}
-    total = {name: sum(of[name] for of in counts.values()) for name in counts[items[0]]}
-    share = (total["published in part"] + total["judged"]) / sum(total[name] for name in judgements.KINDS)
-    return ["## What is a judgement", "",
-            *wrapped("Quantities in the files of an item, its casters (each file once) and its floor covering: published, "
-                     "published in part (a measured value of something like it, or a part of the value), judged, each with its "
-                     "reason and range in the file. Drawn: of the last two those with a distribution; the others stay at their "
-                     f"values. In all {percent(share)} are judged, in part or whole."), "",
-            *table(["item", *judgements.KINDS, "drawn"], ([item, *of.values()] for item, of in counts.items()))]
-
-
 def halves(tables):
     rows = read(tables, "halves.csv")
     names = {"by turns": "halves by turns: within", "by shape": "slow half against fast half: within"}
@@ -185,7 +166,8 @@ def constants(tables):
     return [*wrapped("Drawn constants that are shown to matter for the displacement (`constants.csv`): rank correlation within "
                      "motions, p from permutations, adjusted for the constants of an item by Holm's method. Of 3 x "
                      f"{len(items)} analyses one in 20 shows something by chance. Parameters without a distribution "
-                     "(friction of swivels and axles, positions of casters, housings) have no rank."), "",
+                     "(friction of swivels and axles, positions of casters, housings) have no rank. What is published of "
+                     "them: [constants](constants.md)."), "",
             *table(["constant", "brakes", "items", "correlation"], cells)]
 
 
@@ -241,7 +223,6 @@ def page(tables):
     lines = ["# How far the curves hold", "",
              *wrapped("Checks of the [fragility catalogue](methods.md) on itself and with other motions, from its "
                       "[tables](methods.md#tables).")]
-    for section in (floors, sufficiency, measures, halves, widths, shares, torque, other_suites, not_counted,
-                    judged):
+    for section in (floors, sufficiency, measures, halves, widths, shares, torque, other_suites, not_counted):
         lines += ["", *section(tables)]
     return lines + [""]

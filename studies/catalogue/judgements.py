@@ -1,4 +1,4 @@
-"""Counts what is published and what is judged in the files that the studies of an item rest on, for checks.md."""
+"""Counts what is published and what is judged in the files that the studies of an item rest on, for constants.md."""
 
 import os
 import tomllib
@@ -23,14 +23,15 @@ def quantities(table):
 
 
 def kind(quantity):
-    """A value that is taken from elsewhere by analogy has a source and an assumption."""
+    """A value that is taken from elsewhere by analogy has a source and an assumption, and so has a distribution."""
     if "assumption" not in quantity:
         return KINDS[0]
-    return KINDS[1] if "source" in quantity else KINDS[2]
+    return KINDS[1] if {"source"} & (quantity.keys() | quantity.get("distribution", {}).keys()) else KINDS[2]
 
 
-def load(folder, name):
-    with open(os.path.join(ROOT, "equipment", folder, name + ".toml"), "rb") as file:
+def load(*path):
+    """A file of equipment, by the words of its path."""
+    with open(os.path.join(ROOT, "equipment", *path) + ".toml", "rb") as file:
         return tomllib.load(file)
 
 
@@ -44,7 +45,7 @@ def counts(item):
     """How many quantities there are of each kind, how many of the last two are drawn in a study, and what is drawn."""
     file = load("items", item)
     found = [each for name in caster_types(file) for each in quantities(load("casters", name))]
-    found += [*quantities(file), *quantities(load("floors", COVERING))]
+    found += [*quantities(file), *quantities(load("floors", COVERING)), *quantities(load("levelness"))]
     by_kind = {name: [each for each in found if kind(each) == name] for name in KINDS}
     drawn = sum("distribution" in each for name in KINDS[1:] for each in by_kind[name])
     return {name: len(of) for name, of in by_kind.items()} | {"drawn": drawn}

@@ -26,6 +26,7 @@ SAMPLES = 400
 SUPPORTED = 10  # runs that exceed; the curve of fewer is bounded by what happens just above a velocity
 SETTLED = 0.9  # share of the samples in which an action has the least loss
 QUANTITIES = ("days", "cost_ratio")
+INJURIES = ("none", "minor", "serious")
 COLUMNS = ["item", "floor", "place", "pfv", *(f"{q}_{s}{end}" for q in (*QUANTITIES, "lost") for s in SETTINGS
            for end in ("", "_low", "_high")),
            "best", *(f"share_{s}" for s in SETTINGS), "best_by_cost", "share_by_cost", "depends_on"]
@@ -51,6 +52,11 @@ def consequences(path=CONSEQUENCES):
 def losing(of_item):
     """States after which the item serves no longer where it stands."""
     return {state for state, service in of_item("service").items() if service[1] == "lost"}
+
+
+def injuring(of_item, least):
+    """States in which somebody beside the item may be hurt, so badly at least."""
+    return {state for state, injury in of_item("injury").items() if INJURIES.index(injury[1]) >= INJURIES.index(least)}
 
 
 def within(bounds, u):
@@ -175,6 +181,17 @@ def samples_of(curves, of_item, speed, seed):
                                            for values in (stated, drawn)))
         samples["lost"].append(({s: max(chances[s][state] for state in lost) for s in curves},) * 2)
     return samples
+
+
+def reached(curves, states, speed, seed):
+    """Mean and ends of the interval of the chance that one of the states is reached, by setting."""
+    random_source = random.Random(seed)
+    known = sorted(states & set(next(iter(curves.values()))))
+    samples = []
+    for _ in range(SAMPLES):
+        z = {state: (random_source.gauss(0, 1), random_source.gauss(0, 1)) for state in known}
+        samples.append({s: max(probability(curves[s][state], speed, *z[state]) for state in known) for s in curves})
+    return {s: (statistics.fmean(each[s] for each in samples), *ends(each[s] for each in samples)) for s in curves}
 
 
 def mean_of(samples, setting):

@@ -1,13 +1,14 @@
 """The overview of the catalogue, docs/catalogue/overview.html: choose floor, level, item and brakes, see risk and loss.
 
-pages.py writes it; the numbers are those of losses.csv, fragility.csv and floors.csv.
+pages.py writes it; the numbers are those of losses.csv, fragility.csv, tethers.csv and floors.csv.
 """
 
 import json
 import os
 
-from advice import FLOOR, LIFE_SUPPORT, MOST_LOST, PLACE, SPEED, action, likely, most_kept, percent, says, shares
-from losses import SETTLED, SETTINGS, SPEEDS, curves_of, probability
+from advice import (FLOOR, LIFE_SUPPORT, LIFE_SUPPORT_ITEMS, MOST_LOST, PLACE, SPEED, action, likely, most_kept, percent,
+                    says, shares)
+from losses import INJURIES, SETTLED, SETTINGS, SPEEDS, consequences, curves_of, injuring, probability
 from words import read
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -45,8 +46,16 @@ def cells(advice, curves, where, speed):
                       "named": likely(row)[0], "kept": most_kept(row), "decides": row["depends_on"]}
 
 
+def straps(tables, item):
+    """What straps do in the bay at the floor and velocity of the advice: days and chance of lost service."""
+    return [{"held": row["held"]} | {quantity: [rounded(row[quantity + end]) for end in ("", "_low", "_high")]
+                                     for quantity in ("days", "lost")}
+            for row in read(tables, "tethers.csv") if row["item"] == item and "strap" in row["held"]]
+
+
 def facts(tables, advice, names):
-    of = curves_of(tables)
+    of, follows = curves_of(tables), consequences()
+    hurts = lambda item, injury: [state for state in STATES if state in injuring(lambda q: follows(item, q), injury)]
     floors = list(dict.fromkeys(floor for _, floor, _ in of))
     moves = read(tables, "floors.csv")
     return {
@@ -54,7 +63,8 @@ def facts(tables, advice, names):
         "shown": {"floor": FLOOR, "place": PLACE, "speed": float(SPEED)},
         "floors": {floor: ground_speeds([(float(row["pgv"]), float(row["pfv"])) for row in moves if row["floor"] == floor])
                    for floor in floors},
-        "items": [{"item": item, "name": name, "rows": {floor: {place: [
+        "items": [{"item": item, "name": name, "life": item in LIFE_SUPPORT_ITEMS, "straps": straps(tables, item),
+                   "hurts": {injury: hurts(item, injury) for injury in INJURIES[1:]}, "rows": {floor: {place: [
             cells(advice, of[item, floor, place], {"item": item, "floor": floor, "place": place}, speed)
             for speed in SPEEDS] for place in PLACES} for floor in floors}} for item, name in names.items()],
     }

@@ -4,7 +4,7 @@ usage: pages.py GURNEY RESULTS TABLES PAGES
        pages.py --texts GURNEY TABLES PAGES
        pages.py --check GURNEY TABLES PAGES
 
-PAGES gets items.md and overview.html, a page for each item, checks.md and tethers.md, and figures of the items; with
+PAGES gets items.md and overview.html, a page for each item, checks.md, constants.md and tethers.md, and figures of the items; with
 --texts no figures, which need the results of all runs. --check writes nothing and ends with 1 where the texts of the
 pages are not those of the tables, or where the advice of overview.html is not what its numbers say.
 """
@@ -16,10 +16,11 @@ import sys
 
 import checks
 import overview
+import published
 from advice import (ACTIONS, FLOOR, LIFE_SUPPORT, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, action, days,
                     interval_words, keepers, mark, percent, says, shares)
-from catalogue import LEVELS_OF_CURVES, VARIANCE, sheet_of
-from losses import SETTINGS
+from catalogue import LEVELS_OF_CURVES, VARIANCE, rows, sheet_of
+from losses import INJURIES, SETTINGS, consequences, curves_of, injuring, reached
 from tables import FURTHER, much_better
 from words import read, wrapped
 
@@ -84,6 +85,20 @@ def loss_of_all(advice, names):
     return lines
 
 
+def injuries(tables, names):
+    """Chances [%] that somebody beside an item may be hurt, at the floor, place and velocity of the advice."""
+    follows, curves = consequences(), curves_of(tables)
+    lines = ["| item | seriously [%], brakes off | on | locked | at all, off | on | locked |", "| --- " * 7 + "|"]
+    for item, name in names.items():
+        cells = []
+        for injury in INJURIES[:0:-1]:
+            states = injuring(lambda quantity: follows(item, quantity), injury)
+            found = reached(curves[item, FLOOR, PLACE], states, float(SPEED), f"{item} {injury}")
+            cells += ["{} ({} to {})".format(*map(percent, found[setting])) for setting in SETTINGS]
+        lines.append(f"| [{name}]({item}.md) | " + " | ".join(cells) + " |")
+    return lines
+
+
 def action_map(advice, floors, names, place):
     """The setting with the fewest days, by floor and level."""
     columns = [f"{floor.removesuffix(' building')} {speed}" for floor in floors for speed in MAPPED]
@@ -120,7 +135,7 @@ def tethers_page(rows, names):
             *tether_table(rows, names), ""]
 
 
-def overview_page(advice, names, floors):
+def overview_page(tables, advice, names, floors):
     return ["# What to brake, what to hold, what to leave", "",
             *wrapped("The action with the least expected time out of use at a peak floor velocity of "
                      f"{SPEED} m/s, upstairs in a flexible building, on an open floor, from {MOTION_COUNT} motions "
@@ -135,6 +150,12 @@ def overview_page(advice, names, floors):
                      "put in what they cost you ([how](methods.md#what-to-do))."), "",
             "Days out of use and chance that its service is lost, with intervals of 95 %:", "",
             *loss_of_all(advice, names), "",
+            "## Who may be hurt", "",
+            *wrapped("Chance of a state in which somebody beside the item may be hurt seriously (it overturns), or at all "
+                     "(it also moves 1 m or is hit at 0.4 m/s or more), with intervals of 95 %. Which state may hurt, and "
+                     "how badly, is assumed (`equipment/consequences.toml`), and nobody needs to stand there: no number of "
+                     "injured."), "",
+            *injuries(tables, names), "",
             "## By floor and level", "",
             *wrapped("Floor and peak floor velocity [m/s]: the brakes with the fewest days (off, on, locked: on with "
                      "locked swivels); `?`: not settled, with the likeliest where it has the fewest days in at least "
@@ -260,8 +281,9 @@ def texts(gurney, tables):
     sheets = {item: sheet_of(gurney, item) for item in catalogue.items}
     pages = {item + ".md": item_page(catalogue, advice, item, sheet) for item, sheet in sheets.items()}
     names = {item: sheet["name"] for item, sheet in sheets.items()}
-    pages["items.md"] = overview_page(advice, names, catalogue.floors)
+    pages["items.md"] = overview_page(tables, advice, names, catalogue.floors)
     pages["checks.md"] = checks.page(tables)
+    pages["constants.md"] = published.page(tables, sheets)
     pages["tethers.md"] = tethers_page(read(tables, "tethers.csv"), names)
     return {name: "\n".join(lines) for name, lines in pages.items()} | {
         "overview.html": overview.page(tables, advice, names)}
@@ -284,7 +306,7 @@ def main():
     gurney, tables, pages = arguments[0], *arguments[-2:]
     os.makedirs(os.path.join(pages, "images"), exist_ok=True)
     for name, text in texts(gurney, tables).items():
-        if not mode and name not in ("items.md", "checks.md", "tethers.md", "overview.html"):
+        if not mode and name.removesuffix(".md") in {row["item"] for row in rows("items.csv")}:
             figures(gurney, name.removesuffix(".md"), arguments[1], os.path.join(pages, "images"))
         with open(os.path.join(pages, name), "w", encoding="utf-8") as file:
             file.write(text)

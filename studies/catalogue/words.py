@@ -1,4 +1,4 @@
-"""Tables read and lines wrapped, for the pages of the catalogue."""
+"""Tables read and written, and lines wrapped, for the pages of the catalogue."""
 
 import csv
 import os
@@ -12,3 +12,8 @@ def read(folder, name):
 
 def wrapped(text, indent=""):
     return textwrap.wrap(text, 118, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+
+
+def table(header, rows):
+    return ["| " + " | ".join(header) + " |", "| --- " * len(header) + "|",
+            *("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows)]

@@ -73,9 +73,29 @@ ask 'row("infusion_pole").querySelector("button").click();
 # The chances in the row of an item, in percent as they are shown there: with the likeliest setting, and the least.
 ask 'choose("place", "bay"); const cells = row("icu_ventilator").cells;
   return [cells[1].querySelector(".chip").textContent, cells[1].querySelector("small").textContent,
-    cells[3].innerText.replace(/\s+/g, " ")];' \
+    cells[3].innerText.replace(/\s+/g, " ").replace(/ hurts.*/, "")];' \
   "[\"off: fewest days; on: keeps it in service\",\"off $(chance share_off) %\",\"off $(chance lost_off) % least: on $(
     chance lost_on) %\"]"
+# What life support takes is said in its row, and only there; who may be hurt is who stands beside what overturns.
+ask 'choose("place", "bay"); row("icu_ventilator").querySelector("button").click();
+  const bay = document.querySelectorAll(".more table")[1];
+  const of = (words) => [...bay.rows].find((each) => each.cells[0].textContent === words);
+  const cells = (words) => [...of(words).cells].slice(1).map((each) => each.textContent);
+  const number = (text) => (text.startsWith("<") ? 0 : parseFloat(text));
+  const worst = ["moved 1 m", "hit at 0.4 m/s", "hit at 0.8 m/s", "overturned"].map(cells);
+  return [[...document.querySelectorAll(".advice strong")].map((each) => each.closest("tr").dataset.item).join(),
+    row("icu_ventilator").querySelector(".advice strong").textContent, String(cells("may hurt seriously")) === String(cells("overturned")),
+    cells("may hurt somebody").every((each, i) => number(each) === Math.max(...worst.map((of) => number(of[i])))),
+    row("icu_ventilator").cells[3].innerText.includes(`hurts: off ${cells("overturned")[0]}, on ${cells("overturned")[1]}`)];' \
+  '["icu_ventilator,infusion_pole,neonatal_incubator,transport_incubator","life support: brakes on",true,true,true]'
+# Straps are those of tethers.csv.
+strapped=$(awk -F, 'function two(v) {v = sprintf("%.2g", v) + 0; return v < 10 ? sprintf("%.2f", v) : sprintf("%.0f", v)}
+  NR == 1 {for (i = 1; i <= NF; i++) column[$i] = i}
+  /^icu_ventilator,.*strap/ {gsub(/"one strap, brakes"/, "both")
+    printf "%s\"%s (%s to %s)\"", (n++ ? "," : "["), two($column["days"]), two($column["days_low"]), two($column["days_high"])}
+  END {print "]"}' "$data/tethers.csv")
+ask 'row("icu_ventilator").querySelector("button").click();
+  return [...document.querySelectorAll(".more table")[2].tBodies[0].rows].map((each) => each.cells[1].textContent);' "$strapped"
 # Of a ward of one kind the sum is that many times its loss.
 ask 'count("icu_bed", 10);
   const shown = numbers("sums");

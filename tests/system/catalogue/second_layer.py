@@ -195,6 +195,65 @@ def check_judgements():
     assert judgements.caster_types({"caster": [{"type": "b"}, {"type": {"value": "a"}}, {"type": "b"}]}) == ["a", "b"]
 
 
+    # A judged value whose distribution is published, as the slope of a floor.
+    assert judgements.kind(judged | {"distribution": {"sd": 1, "source": "a"}}) == judgements.KINDS[1]
+
+
+def check_published():
+    """What is published of the constants: the steps that values rest on, and where the files are."""
+    import published
+    # A tread sinks by d where (4/3) sqrt(2 R) d^1.5 w E' / t carries the load: E = 9.35 MPa of 80 Shore A by Gent, by hand
+    # 0.0981 * 665.8688 / (0.137505 * 50.8) = 9.3513; E' = E / 0.75.
+    sinks = published.LOAD / published.tread_stiffness(80)
+    carries = 4 / 3 * math.sqrt(2 * published.RADIUS) * sinks ** 1.5 * published.WIDTH * 9.3513e6 / 0.75 / published.THICKNESS
+    assert math.isclose(carries, published.LOAD, rel_tol=1e-4), carries
+    # Slopes of 1 % and -1 % over one interval, none over two but for 0.5 mm in 200.
+    survey = {"spacing_mm": 100, "heights_mm": [[0, 1, 0, 1.5]]}
+    assert math.isclose(published.slope_deviation(survey, 1), statistics.stdev([1, -1, 1.5]))
+    assert math.isclose(published.slope_deviation(survey, 2), statistics.stdev([0, 0.25]))
+    # In, below and above the ranges of files; a caster that is not named is not compared.
+    of = {"a": (1, 2, 3), "b": (4, 5, 6), "c": (0.1, 0.1, 0.2)}
+    assert published.place({"value": 3}, of) == "in 1 of 3; below it: c; above it: b"
+    assert published.place({"low": 3, "high": 4, "at": ["a", "b", "d"]}, of) == "in 2 of 2"
+    assert published.place({"value": 9}, of) == "all below it" and published.place({"value": 0.01}, of) == "all above it"
+    assert published.place({"value": 9, "at": []}, of) == ""
+    # Two values of a kind make a distribution; bounds, starts and other kinds do not.
+    value = lambda middle, kind="measured", **more: {"value": middle, "kind": kind} | more
+    constant = {"quantity": "x", "values": [value(1), value(math.exp(2), "derived"), value(50, "required"),
+                                            value(9, start=True), value(7, group="other")]}
+    median, beta = published.distributions(constant)[""]
+    assert math.isclose(median, math.e) and math.isclose(beta, math.sqrt(2)) and len(published.distributions(constant)) == 1
+
+    constants = published.constants()
+    shown, _ = published.analyses(data)
+    ranked = [name for constant in constants for name in constant["ranked"]]
+    assert set(shown) <= set(ranked) and len(ranked) == len(set(ranked)), set(shown) - set(ranked)
+    for constant in constants:
+        for each in constant["values"]:
+            assert each["kind"] in published.KINDS and each["by"] and each["of"], each
+            assert set(each.get("at", [])) <= {name.removesuffix(".toml") for name in os.listdir(
+                os.path.join(source, "equipment", "casters"))}, each
+    # What the words of a derived value say gives it: 2.2 and 2.4 mm over 63 / 39; forces of beds over their weight, times R.
+    rolling = {constant["name"]: constant["values"] for constant in constants}["rolling resistance Cr"]
+    for start, steady in zip(rolling[:2], rolling[2:4]):
+        assert abs(start["value"] * 39 / 63 - steady["value"]) <= 0.005, steady
+    low, high = published.ends(rolling[4])
+    assert abs(49.6 / 350 / 9.81 * 75 - low) <= 0.005 and abs(92.4 / 200 / 9.81 * 75 - high) <= 0.05
+
+
+def check_injuries():
+    import losses
+    of = losses.consequences()
+    hurts = lambda injury: losses.injuring(lambda quantity: of("icu_ventilator", quantity), injury)
+    assert hurts("serious") == {"overturned", "fell"} and hurts("minor") > hurts("serious") and hurts("none") > hurts("minor")
+    sure = {"exceed": "64", "theta": "0.8", "theta_low": "0.8", "theta_high": "0.8", "beta": "0.5", "beta_low": "0.5",
+            "beta_high": "0.5"}
+    curves = {"off": {"overturned": sure, "moved 1 m": sure | {"theta": "0.4", "theta_low": "0.4", "theta_high": "0.4"}}}
+    assert losses.reached(curves, {"overturned", "fell"}, 0.8, "x") == {"off": (0.5, 0.5, 0.5)}
+    chance = statistics.NormalDist().cdf(math.log(2) / 0.5)  # of the likelier of the two
+    assert all(math.isclose(each, chance) for each in losses.reached(curves, {"overturned", "moved 1 m"}, 0.8, "x")["off"])
+
+
 def check_tethers():
     import tethers
     # A strap is slack by 50 mm at the start: 0.1 m behind the back of an item of 0.6 m.
@@ -301,6 +360,8 @@ check_losses()
 check_advice()
 check_dispersion()
 check_judgements()
+check_published()
+check_injuries()
 check_tethers()
 check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
