@@ -9,11 +9,11 @@ import h5py
 import pandas
 
 
-def tables_of(path):
+def tables_of(path, more=()):
     """The tables of a results file, with decoded text; configurations give columns `level FACTOR`."""
     tables = {}
     with h5py.File(path) as file:
-        for name in ("runs", "items", "configurations", "tethers", "zones", "warnings"):
+        for name in ("runs", "items", "configurations", "tethers", "zones", "warnings", *more):
             columns = {}
             for key, data in file[name].items():
                 values = data[:]

@@ -9,7 +9,9 @@ needs python3-h5py and python3-pandas, and gurney in the PATH or in the environm
 import math
 import pathlib
 import re
+import statistics
 import sys
+import tomllib
 
 import numpy
 
@@ -154,6 +156,15 @@ def long_period(results):
                f"{(rows.peak_displacement > 3).sum()} of {len(rows)}"]
 
 
+def fixed_beds(results):
+    table = runs_of(f"{results}/validation_fixed_beds.h5")
+    for item in ("ward bed", "ICU bed"):
+        for brakes in ("off", "on"):
+            rows = chosen(table, item=item, brakes=brakes)
+            yield [item, brakes, spread(rows.peak_displacement), (rows.peak_displacement > 0.1).sum(),
+                   (rows.residual_displacement > 0.02).sum()]
+
+
 PAIR = ["level building", "level floor", "record", "angle", "intensity"]
 
 
@@ -280,7 +291,93 @@ def p58(results):
         yield [name, f"{depth / height:.3f}", f"{published:.3f}", *cells]
 
 
-TABLES = [neonatal_unit, operating_theatre, ward_corridor, trolley_orientation, icu_ventilator_fragility,
+def rolling_force(item, caster):
+    """Force [N] that keeps an item rolling, and its interval of 95 % by the distribution of Cr of its casters."""
+    with open(pathlib.Path(__file__).parents[2] / "equipment" / "casters" / f"{caster}.toml", "rb") as file:
+        rolling = tomllib.load(file)["tread"]["rolling_resistance_mm"]
+    spread, normal = rolling["distribution"], statistics.NormalDist()
+    ends = [normal.cdf(math.log(spread[end] / spread["median"]) / spread["beta"]) for end in ("low", "high")]
+    force = gurney("equipment", "show", item)["rolling_resistance_n"]
+    return force, *(force * spread["median"] / rolling["value"] * math.exp(
+        spread["beta"] * normal.inv_cdf(ends[0] + tail * (ends[1] - ends[0]))) for tail in (0.025, 0.975))
+
+
+def shared(k, n):
+    return "{} of {}: {:.2f} to {:.2f}".format(k, n, *clopper_pearson(k, n))
+
+
+def compared(results):
+    """Published numbers, by whom, what is computed with its interval, and whether each number lies within."""
+    e_defense, hitomi = "Sato et al. 2011", "Hitomi et al. 2022"
+    table = runs_of(f"{results}/validation_long_period.h5")
+    for period in ("2 s", "3 s", "4 s"):
+        ways = chosen(table, period=period, brakes="off").peak_displacement
+        yield ("3 m, sometimes more", e_defense, f"period of {period}: {ways.min():.1f} to {ways.max():.1f} m",
+               [ways.min() <= 3 <= ways.max()])
+
+    table = runs_of(f"{results}/validation_fixed_beds.h5")
+    for item in ("ward bed", "ICU bed"):
+        for brakes in ("off", "on"):
+            rows = chosen(table, item=item, brakes=brakes)
+            moved = int((rows.peak_displacement > 0.1).sum())
+            yield ("all beds of a floor moved", "E-Defense 2009", f"{item}, brakes {brakes}, more than 0.1 m in "
+                   f"{shared(moved, len(rows))}", [clopper_pearson(moved, len(rows))[1] == 1])
+
+    table = runs_of(f"{results}/validation_ultrasound.h5")
+    pairs = len(chosen(table, building="fixed", floor="fourth", locks="free"))
+    more = len(chosen(farther(table, "casters"), building="fixed", floor="fourth"))
+    yield ("a locked machine does not always move less", "Nikfar & Konstantinidis 2017",
+           f"farther in {shared(more, pairs)}", [more > 0])
+    for building in ("lead rubber", "friction pendulum"):
+        *_, change, _ = difference(f"{results}/validation_ultrasound.h5", f"{building}, fourth, free",
+                                   f"{building}, fourth, casters")
+        yield ("less than 0 m by locking, on isolators", "Nikfar & Konstantinidis 2019", f"{building}: {change} m",
+               [" to -" in change])
+
+    table = runs_of(f"{results}/validation_b_over_h.h5")
+    for words, ratio in (("half the width", "0.4"), ("the whole width", "0.2")):
+        rows = chosen(table, b_over_h=ratio, locks="all")
+        fell = int(rows.overturned.sum())
+        yield ("next to none overturns at b / h = 0.4", hitomi, f"b {words}: {shared(fell, len(rows))}",
+               [clopper_pearson(fell, len(rows))[0] < 0.01])
+
+    for item, caster, words in (("icu_bed", "bed_150", "ICU bed, 310 kg"), ("hospital_bed", "R100", "ward bed, 120 kg")):
+        force, low, high = rolling_force(item, caster)
+        yield ("twelve beds of unknown mass roll with 49.6 to 92.4 N", "Backhaus et al.",
+               f"{words}: {force:.0f} ({low:.0f} to {high:.0f}) N", [low <= each <= high for each in (49.6, 92.4)])
+
+    from figures import P58
+    curves = fragilities(f"{results}/validation_p58.h5", "overturned")
+    for friction in ("does not slide", "0.2 to 0.6"):
+        for floor in ("ground", "building of 1 s"):
+            of = {name: curves[f"{floor}, {friction}, {name}"] for name in P58}
+            fitted = {name: curve for name, curve in of.items() if curve["curve"] is not None}
+            holds = lambda interval, value: interval[0] <= value <= (interval[1] or math.inf)
+            for name, words in (("theta", "medians of overturning"), ("beta", "dispersions of 0.5")):
+                yield (f"{len(fitted)} {words}", "FEMA P-58 (a formula, not tests)", f"{floor}, friction {friction}",
+                       [holds(curve[name + "_interval"], P58[block][2] if name == "theta" else 0.5)
+                        for block, curve in fitted.items()])
+
+
+def published_numbers(results):
+    rows = list(compared(results))
+    for published, by, computed, within in rows:
+        yield [published, by, computed, f"{sum(within)} of {len(within)}"]
+    for words, is_formula in (("tests and measurements", False), ("a formula", True)):
+        within = [each for _, by, _, of in rows if ("formula" in by) == is_formula for each in of]
+        yield [f"**all comparisons with {words}**", "", "", f"**{sum(within)} of {len(within)}**"]
+    # A number whose conditions are not published is compared under several.
+    readings = {}
+    for published, by, _, within in rows:
+        if "formula" not in by:
+            readings.setdefault((published, by), []).extend(within)
+    counts = [(sum(of), len(of)) for of in readings.values()]
+    yield [f"**statements of tests and measurements, of {len(counts)}**", "", "within in every comparison, in some, in none",
+           "**{}, {}, {}**".format(sum(k == n for k, n in counts), sum(0 < k < n for k, n in counts),
+                                   sum(k == 0 for k, _ in counts))]
+
+
+TABLES = [published_numbers, fixed_beds, neonatal_unit, operating_theatre, ward_corridor, trolley_orientation, icu_ventilator_fragility,
           icu_ventilator_ida, crash_cart_drawers, long_period, ultrasound_pairs, ultrasound_means, isolation, b_over_h,
           b_over_h_height, half_locked, p58]
 
