@@ -254,6 +254,33 @@ def check_injuries():
     assert all(math.isclose(each, chance) for each in losses.reached(curves, {"overturned", "moved 1 m"}, 0.8, "x")["off"])
 
 
+def check_reasons():
+    """Why a curve is missing says what the runs have: at a level of 32 motions the median is below it, or above, where
+    half of them is outside of the interval (Clopper & Pearson) of the share that exceeds."""
+    from catalogue import LEVELS_OF_CURVES as levels
+    motions = 32
+    at_most = lambda k: sum(math.comb(motions, i) for i in range(k + 1)) / 2 ** motions
+    checked = 0
+    for row in read("fragility.csv"):
+        reason, exceed = row["reason"], int(row["exceed"])
+        assert bool(reason) != bool(row["theta"]) and "about" not in reason, row
+        if exceed == 0:
+            assert reason.startswith("no run exceeds up to "), row
+        if row["measure"] == "pfv" or not reason or exceed == 0:
+            continue
+        # One level has both outcomes: none exceeds below, all above.
+        above, mixed = divmod(exceed, motions)
+        at = len(levels) - 1 - above
+        low = levels[at] if at_most(mixed) < 0.025 else levels[at - 1] if at else 0
+        high = levels[at] if 1 - at_most(mixed - 1) < 0.025 else levels[at + 1] if above else math.inf
+        words = (f"median below {high:g} m/s" if not low else f"median above {low:g} m/s" if math.isinf(high)
+                 else f"median between {low:g} and {high:g} m/s")
+        if "quasi-complete" in reason:
+            assert reason.endswith(f": outcomes change at {levels[at]:g} m/s: {words}"), (row, words)
+            checked += 1
+    assert checked > 600, checked
+
+
 def check_tethers():
     import tethers
     # A strap is slack by 50 mm at the start: 0.1 m behind the back of an item of 0.6 m.
@@ -362,6 +389,7 @@ check_dispersion()
 check_judgements()
 check_published()
 check_injuries()
+check_reasons()
 check_tethers()
 check_widths()
 if importlib.util.find_spec("h5py") and importlib.util.find_spec("numpy"):
