@@ -241,6 +241,31 @@ def check_published():
     assert abs(49.6 / 350 / 9.81 * 75 - low) <= 0.005 and abs(92.4 / 200 / 9.81 * 75 - high) <= 0.05
 
 
+def check_changes():
+    """Equipment with a constant changed: that number and no other, and the shipped medians beside the new ones."""
+    import changes
+    text = 'name = "a"\n\n[brake_torque_n_m]\nvalue = 5\n[brake_torque_n_m.distribution]\nmedian = 10\nlow = 2.5\n\n[tread]\nlow = 1\n'
+    assert changes.numbers(text, "brake_torque_n_m.distribution") == {"median": 10, "low": 2.5}
+    assert changes.holding(text) == text.replace("low = 2.5", "low = 10")
+    try:
+        changes.changed(text, "brake_torque_n_m", {"high": 1})
+        raise AssertionError("a number that is not there was changed")
+    except ValueError:
+        pass
+    for _, change, _ in changes.CHANGES.values():
+        for path in ("casters/R100.toml", "casters/drive_250.toml", "levelness.toml"):
+            if (path == "levelness.toml") == (change is changes.sloping):
+                with open(os.path.join(source, "equipment", path)) as file:
+                    old = file.read()
+                new = change(old)
+                assert len(old.splitlines()) == len(new.splitlines())
+                assert (new == old) == (change is changes.rolling and "drive" in path), (path, change)
+    of = {tuple(row[k] for k in suites.KEY): row for row in read("fragility.csv") if row["measure"] == "pfv"}
+    rows = read("changes.csv")
+    assert {row["change"] for row in rows} == set(changes.CHANGES)
+    assert all(row["theta"] == of[tuple(row[k] for k in suites.KEY)]["theta"] for row in rows)
+
+
 def check_injuries():
     import losses
     of = losses.consequences()
@@ -388,6 +413,7 @@ check_advice()
 check_dispersion()
 check_judgements()
 check_published()
+check_changes()
 check_injuries()
 check_reasons()
 check_tethers()
