@@ -1,6 +1,6 @@
 """The overview of the catalogue, docs/catalogue/overview.html: choose floor, level, item and brakes, see risk and loss.
 
-pages.py writes it; the numbers are those of losses.csv, fragility.csv, tethers.csv and floors.csv.
+pages.py writes it; the numbers are those of losses.csv, fragility.csv, tethers.csv, contents.csv and floors.csv.
 """
 
 import json
@@ -53,8 +53,16 @@ def straps(tables, item):
             for row in read(tables, "tethers.csv") if row["item"] == item and "strap" in row["held"]]
 
 
+def shut(tables):
+    """Items that fall more often with brakes on where their drawers may open: twice as often as the rigid item."""
+    rows = read(tables, "contents.csv")
+    drawers = {row["item"] for row in rows if row["limit_state"] == "a drawer opens"}
+    return {row["item"] for row in rows if row["item"] in drawers and row["brakes"] == "on" and
+            row["limit_state"] == "overturned" and int(row["exceed"]) > 2 * int(row["rigid_exceed"])}
+
+
 def facts(tables, advice, names):
-    of, follows = curves_of(tables), consequences()
+    of, follows, locked = curves_of(tables), consequences(), shut(tables)
     hurts = lambda item, injury: [state for state in STATES if state in injuring(lambda q: follows(item, q), injury)]
     floors = list(dict.fromkeys(floor for _, floor, _ in of))
     moves = read(tables, "floors.csv")
@@ -63,7 +71,7 @@ def facts(tables, advice, names):
         "shown": {"floor": FLOOR, "place": PLACE, "speed": float(SPEED)},
         "floors": {floor: ground_speeds([(float(row["pgv"]), float(row["pfv"])) for row in moves if row["floor"] == floor])
                    for floor in floors},
-        "items": [{"item": item, "name": name, "life": item in LIFE_SUPPORT_ITEMS, "straps": straps(tables, item),
+        "items": [{"item": item, "name": name, "life": item in LIFE_SUPPORT_ITEMS, "shut": item in locked, "straps": straps(tables, item),
                    "hurts": {injury: hurts(item, injury) for injury in INJURIES[1:]}, "rows": {floor: {place: [
             cells(advice, of[item, floor, place], {"item": item, "floor": floor, "place": place}, speed)
             for speed in SPEEDS] for place in PLACES} for floor in floors}} for item, name in names.items()],

@@ -4,7 +4,7 @@ usage: pages.py GURNEY RESULTS TABLES PAGES
        pages.py --texts GURNEY TABLES PAGES
        pages.py --check GURNEY TABLES PAGES
 
-PAGES gets items.md and overview.html, a page for each item, checks.md, constants.md and tethers.md, and figures of the items; with
+PAGES gets items.md and overview.html, a page for each item, checks.md, constants.md, contents.md and tethers.md, and figures of the items; with
 --texts no figures, which need the results of all runs. --check writes nothing and ends with 1 where the texts of the
 pages are not those of the tables, or where the advice of overview.html is not what its numbers say.
 """
@@ -17,9 +17,10 @@ import sys
 import checks
 import overview
 import published
-from advice import (ACTIONS, FLOOR, LIFE_SUPPORT, MOST_LOST, MOTION_COUNT, PLACE, SPEED, Advice, action, days,
-                    interval_words, keepers, mark, percent, says, shares)
+from advice import (ACTIONS, FLOOR, LIFE_SUPPORT, MOST_LOST, MOTION_COUNT, PLACE, SETTING_WORDS, SPEED, Advice, action,
+                    days, interval_words, keepers, mark, percent, says, shares)
 from catalogue import LEVELS_OF_CURVES, VARIANCE, rows, sheet_of
+from contents import SHARED, VARIANTS
 from losses import INJURIES, SETTINGS, consequences, curves_of, injuring, reached
 from tables import FURTHER, much_better
 from words import read, wrapped
@@ -135,6 +136,48 @@ def tethers_page(rows, names):
             *tether_table(rows, names), ""]
 
 
+def contents_table(rows, names):
+    """What is lost of each variant with parts, and in brackets runs that exceed of the rigid item."""
+    states = list(dict.fromkeys(row["limit_state"] for row in rows))
+    states.sort(key=lambda state: (state in SHARED, SHARED.index(state) if state in SHARED else 0))
+    lines = ["| item, with | brakes | " + " | ".join(states) + " |", "| --- " * (2 + len(states)) + "|"]
+    for item, brakes in dict.fromkeys((row["item"], row["brakes"]) for row in rows):
+        of = {row["limit_state"]: row for row in rows if (row["item"], row["brakes"]) == (item, brakes)}
+        cells = []
+        for state in states:
+            row = of.get(state)
+            rigid = f"; {row['exceed']}, rigid {row['rigid_exceed']}" if row and row["rigid_exceed"] else ""
+            cells.append(cell(row) + rigid if row else "")
+        variant = next(iter(of.values()))["variant"]
+        lines.append(f"| [{names[item]}]({item}.md), {variant} | {brakes} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def contents_page(rows, names):
+    missing = [f"`{item}`" for item in VARIANTS if item not in {row["item"] for row in rows}]
+    return ["# What opens and what falls", "",
+            *wrapped("Items whose file has a variant with parts and contents ([which](../equipment.md#variants-with-parts-and-"
+                     f"contents)), {WHERE[0]}, open floor, with the motions, levels and draws of the catalogue "
+                     "([contents.csv](data/contents.csv), by `studies/catalogue/contents.py`). Median peak floor velocity "
+                     "[m/s] (logarithmic standard deviation), or runs that exceed ([legend](methods.md#pages-of-the-items)); "
+                     "then runs of 128 that exceed, and of the rigid item of the other pages. What falls or opens counts an "
+                     "item that overturns as well, as its run ends there. Locks of drawers are off. Nearly all numbers of the "
+                     f"parts are assumptions: {CAUTION[0].lower() + CAUTION[1:]}"), "",
+            *contents_table(rows, names), "",
+            *wrapped("**Drawers that open carry the centre of mass out of the base**: where the row of an item with brakes on "
+                     "overturns more often than the rigid one, lock its drawers before its brakes are set. The advice of the "
+                     "other pages is for items whose parts stay shut."), "",
+            *(wrapped(f"Not run: {', '.join(missing)}.") + [""] if missing else [])]
+
+
+def parts_line(rows, item):
+    """What parts that move change of an item's falls; nothing where it has no such variant."""
+    of = [row for row in rows if (row["item"], row["limit_state"]) == (item, "overturned")]
+    return [*wrapped("With its parts free ([what opens and what falls](contents.md)) it overturns in " + ", in ".join(
+        f"{row['exceed']} of {row['runs']} runs with {SETTING_WORDS[row['brakes']]}, rigid {row['rigid_exceed']}"
+        for row in of) + "."), ""] if of else []
+
+
 def overview_page(tables, advice, names, floors):
     return ["# What to brake, what to hold, what to leave", "",
             *wrapped("The action with the least expected time out of use at a peak floor velocity of "
@@ -144,7 +187,8 @@ def overview_page(tables, advice, names, floors):
                      "no network."), "",
             *decisions(advice, names), "",
             *wrapped("Keeps it in service: the chance that its service is lost (moved 1 m, or overturned) is not "
-                     f"above {percent(MOST_LOST)} %. {LIFE_SUPPORT}"), "",
+                     f"above {percent(MOST_LOST)} %. {LIFE_SUPPORT} Drawers and doors are shut: with drawers "
+                     "that may open, braked carts fall far more often ([what opens and what falls](contents.md))."), "",
             *wrapped("Straps keep more items in service, and throw them against the wall: [what they do](tethers.md). "
                      "What a fall or a torn line costs is an assumption with a range (`equipment/consequences.toml`): "
                      "put in what they cost you ([how](methods.md#what-to-do))."), "",
@@ -234,13 +278,14 @@ def best_measures(catalogue, item):
     return ", ".join(f"{name} ({n})" for name, n in ranked[:3])
 
 
-def item_page(catalogue, advice, item, sheet):
+def item_page(catalogue, advice, item, sheet, parts):
     size = " x ".join(f"{1000 * each:.0f}" for each in sheet["size_m"])
     return [
         f"# {sheet['name']}", "", *wrapped(sheet["description"] + "."), "",
         *wrapped(f"{sheet['mass_kg']:.0f} kg, {size} mm, base over height {sheet['base_over_height']:.2f}, tips from "
                  f"{sheet['tips_from_g']:.2f} g where its wheels cannot roll. Data: `equipment/items/{item}.toml`."), "",
         *wrapped(f"{advice.line(item)} ([rule](methods.md#what-to-do)). {CAUTION}"), "",
+        *parts_line(parts, item),
         f"![Plan and sides](images/{item}.svg)", "",
         f"![Fragility on an upper floor of the flexible building](images/{item}_fragility.svg)", "",
         "## Expected days out of use", "",
@@ -279,11 +324,13 @@ def texts(gurney, tables):
     """Each page by its name."""
     catalogue, advice = Catalogue(tables), Advice(tables)
     sheets = {item: sheet_of(gurney, item) for item in catalogue.items}
-    pages = {item + ".md": item_page(catalogue, advice, item, sheet) for item, sheet in sheets.items()}
+    parts = read(tables, "contents.csv")
+    pages = {item + ".md": item_page(catalogue, advice, item, sheet, parts) for item, sheet in sheets.items()}
     names = {item: sheet["name"] for item, sheet in sheets.items()}
     pages["items.md"] = overview_page(tables, advice, names, catalogue.floors)
     pages["checks.md"] = checks.page(tables)
     pages["constants.md"] = published.page(tables, sheets)
+    pages["contents.md"] = contents_page(parts, names)
     pages["tethers.md"] = tethers_page(read(tables, "tethers.csv"), names)
     return {name: "\n".join(lines) for name, lines in pages.items()} | {
         "overview.html": overview.page(tables, advice, names)}

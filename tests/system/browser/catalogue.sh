@@ -83,11 +83,15 @@ ask 'choose("place", "bay"); row("icu_ventilator").querySelector("button").click
   const cells = (words) => [...of(words).cells].slice(1).map((each) => each.textContent);
   const number = (text) => (text.startsWith("<") ? 0 : parseFloat(text));
   const worst = ["moved 1 m", "hit at 0.4 m/s", "hit at 0.8 m/s", "overturned"].map(cells);
-  return [[...document.querySelectorAll(".advice strong")].map((each) => each.closest("tr").dataset.item).join(),
+  return [[...document.querySelectorAll(".advice strong")].filter((each) => each.textContent.startsWith("life"))
+      .map((each) => each.closest("tr").dataset.item).join(),
     row("icu_ventilator").querySelector(".advice strong").textContent, String(cells("may hurt seriously")) === String(cells("overturned")),
     cells("may hurt somebody").every((each, i) => number(each) === Math.max(...worst.map((of) => number(of[i])))),
     row("icu_ventilator").cells[3].innerText.includes(`hurts: off ${cells("overturned")[0]}, on ${cells("overturned")[1]}`)];' \
   '["icu_ventilator,infusion_pole,neonatal_incubator,transport_incubator","life support: brakes on",true,true,true]'
+# Carts whose drawers decide say so, and only they.
+ask 'return [...document.querySelectorAll(".advice strong")].filter((each) => each.textContent.includes("drawers"))
+    .map((each) => each.closest("tr").dataset.item);' '["crash_cart","medication_cart"]'
 # Straps are those of tethers.csv.
 strapped=$(awk -F, 'function two(v) {v = sprintf("%.2g", v) + 0; return v < 10 ? sprintf("%.2f", v) : sprintf("%.0f", v)}
   NR == 1 {for (i = 1; i <= NF; i++) column[$i] = i}
@@ -120,7 +124,7 @@ ask 'count("icu_ventilator", 12); count("infusion_pole", 24); count("icu_bed", 6
   '[[],true,true,"6"]'
 # What is next to look at, the rule and what is not in the model are beside the page, in the site and in the sources.
 links='return [...document.querySelectorAll("a")].map((link) => link.getAttribute("href"));'
-beside='"tethers.md","methods.md#what-to-do","methods.md#what-it-must-not-be-used-for"'
+beside='"tethers.md","methods.md#what-to-do","methods.md#what-it-must-not-be-used-for","contents.md"'
 ask "$links" "[${beside//.md/.html}]"
 mkdir -p docs/catalogue
 cp overview.html docs/catalogue

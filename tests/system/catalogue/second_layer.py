@@ -241,6 +241,27 @@ def check_published():
     assert abs(49.6 / 350 / 9.81 * 75 - low) <= 0.005 and abs(92.4 / 200 / 9.81 * 75 - high) <= 0.05
 
 
+def check_contents():
+    """Items with parts: what is lost contains the falls, and the rigid item beside them is that of the catalogue."""
+    import contents
+    from pages import parts_line
+    text = contents.lost_states((contents.FELL, contents.DRAWER))
+    assert text.count("any_of = [") == 2 and 'any_of = ["something fell", "overturned"]' in text, text
+    rows = read("contents.csv")
+    of = {(row["item"], row["brakes"], row["limit_state"]): row for row in rows}
+    rigid = {(row["item"], row["brakes"], row["limit_state"]): row for row in read("fragility.csv")
+             if (row["measure"], row["floor"], row["place"]) == ("pfv", *contents.WHERE.split(","))}
+    for (item, brakes, state), row in of.items():
+        assert row["runs"] == "128" and row["failed"] == "0" and row["variant"] == contents.VARIANTS[item][0], row
+        if state in contents.SHARED:
+            assert (row["rigid_exceed"], row["rigid_theta"]) == (rigid[item, brakes, state]["exceed"],
+                                                                 rigid[item, brakes, state]["theta"]), row
+        else:
+            assert int(row["exceed"]) >= int(of[item, brakes, "overturned"]["exceed"]) and not row["rigid_exceed"], row
+    assert {brakes for _, brakes, _ in of} == set(contents.SETTINGS)
+    assert parts_line(rows, "linen_cart") == [] and "crash_cart" in {row["item"] for row in rows}
+
+
 def check_changes():
     """Equipment with a constant changed: that number and no other, and the shipped medians beside the new ones."""
     import changes
@@ -413,6 +434,7 @@ check_advice()
 check_dispersion()
 check_judgements()
 check_published()
+check_contents()
 check_changes()
 check_injuries()
 check_reasons()
