@@ -84,7 +84,7 @@ class YieldingMotion {
     Eigen::MatrixXd mass, damping;
     Eigen::MatrixXd carried;  ///< M 1: what a ground acceleration along h1, h2 pushes
     Eigen::VectorXd velocity, mean_velocity;
-    SymmetricFactors solve;  ///< 2 M / h + C + h K / 2, with the elastic K
+    SymmetricFactors solve;                         ///< 2 M / h + C + h K / 2, with the elastic K
     Eigen::VectorXd push{}, residual{}, scratch{};  ///< of one step
   };
   struct Column {

@@ -261,7 +261,7 @@ done
 gone b.h5.shards
 
 # Stages of a study: each rests on all shards of the one before.
-sed 's/^scales = .*/measure = "PGA"\nunit = "g"\ncomponent = "h1"\nlevels = [0.1, 1]\nadaptive = { stages = 2, limit_state = "moved" }/' job.toml > staged.toml
+sed 's/^duration_s = .*/duration_s = 20/; s/^draws = .*/draws = 4/; s/^scales = .*/measure = "PGA"\nunit = "g"\ncomponent = "h1"\nlevels = [0.1, 1]\nadaptive = { stages = 2, limit_state = "moved" }/' job.toml > staged.toml
 cat >> staged.toml <<'TOML'
 [[study.limit_state]]
 name = "moved"
