@@ -127,12 +127,23 @@ study::SiteHazard hazard(const std::string& path, const std::optional<std::strin
   return study::read_site_hazard(document);
 }
 
+/// The points of a table; none of a power law.
+std::vector<double> points(const study::SiteHazard& of) {
+  const auto& pieces = of.curve.pieces();
+  if (!std::isfinite(pieces.back().high)) return {};
+  std::vector<double> im;
+  for (const auto& each : pieces) im.push_back(each.low);
+  im.push_back(pieces.back().high);
+  return im;
+}
+
 }  // namespace
 
 void define_curves(py::module_& module) {
   py::class_<study::SiteHazard>(module, "Hazard")
       .def(py::init(&hazard), py::arg("path"), py::arg("text"))
       .def_readonly("measure", &study::SiteHazard::measure)
+      .def("points", &points)
       .def("rate", [](const study::SiteHazard& of, double im) {
         return of.curve.rate(im).value_or(std::nan(""));
       });

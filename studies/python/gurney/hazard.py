@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from html import escape
 from typing import Any
 
 import pandas
@@ -41,13 +42,20 @@ class Hazard:
         found: float = self._curve.rate(im)
         return found
 
-    def to_frame(self, im: Sequence[float]) -> pandas.DataFrame:
-        """``rate`` [1/year] at intensities [SI unit of the measure], index ``im``; NaN outside the points."""
-        return pandas.DataFrame({"rate": [self.rate(each) for each in im]},
-                                pandas.Index([float(each) for each in im], name="im"))
+    def to_frame(self, im: Sequence[float] | None = None) -> pandas.DataFrame:
+        """``rate`` [1/year] at intensities [SI unit of the measure], index ``im``; NaN outside the points.
+
+        :param im: default: the points of the curve; a power law has none
+        """
+        at = [float(each) for each in (self._curve.points() if im is None else im)]
+        return pandas.DataFrame({"rate": [self.rate(each) for each in at]}, pandas.Index(at, name="im"))
 
     def __repr__(self) -> str:
         return f"<hazard over {self.measure}>"
+
+    def _repr_html_(self) -> str:
+        html: str = self.to_frame().reset_index().to_html(index=False, float_format="{:.4g}".format)
+        return f"<p>Annual rate of exceeding {escape(self.measure)} [SI]</p>" + html
 
 
 def read_hazard(path: str | os.PathLike[str], component: str | None = None, *,

@@ -319,6 +319,8 @@ class Files(unittest.TestCase):
             far = study.fragility("far", configuration="free")
             self.assertEqual(far.rate(points), far.rate(hazard))
             self.assertAlmostEqual(points.rate(0.1 * 9.80665) / 8e-3, 1, delta=1e-14)  # some roundings
+            self.assertEqual(list(points.to_frame().index), list(numpy.array([0.05, 0.1, 0.2, 0.4, 0.8]) * 9.80665))
+            self.assertIn("0.008", points._repr_html_())
             # The same numbers in m/s2 are another site: a unit is never guessed.
             metric = gurney.Hazard([0.05, 0.1, 0.2, 0.4, 0.8], [2e-2, 8e-3, 2e-3, 4e-4, 5e-5],
                                    measure="PGA", component="larger", unit="m/s2")
