@@ -19,23 +19,11 @@ std::size_t overturned(const StudyData& data, std::size_t configuration) {
       [&](std::size_t run) { return outcomes[run] == name_of(Outcome::kOverturned); }));
 }
 
-/// Facts of the brackets instead of those of the runs.
 void audit_capacities(const StudyData& data, std::size_t configuration, FittedCurve& fitted) {
   CurveAudit& audit = fitted.audit;
   audit.theta = {};
   if (fitted.capacities->curve) audit.theta = fitted.capacities->curve->theta;
-  audit.of_capacities = true;
-  const auto one_case = [](const statistics::Capacity& each) { return each.weight == 1; };
-  audit.counted = std::ranges::all_of(fitted.brackets, one_case) ? "records" : "analysis cases";
-  audit.outcomes = fitted.brackets.size();
-  audit.exceeded = audit.outcomes - static_cast<std::size_t>(fitted.capacities->censored);
-  audit.overturned = overturned(data, configuration);
-  const std::set<std::size_t> ended = data.ended_cases(configuration);
-  audit.ended = static_cast<std::size_t>(
-      std::ranges::count_if(fitted.brackets, [&](const statistics::Capacity& each) {
-        return std::isinf(each.high) && ended.contains(each.analysis_case);
-      }));
-  audit.fewest = statistics::kFewestCapacities;
+  audit_brackets(data, configuration, fitted.brackets, audit);
   audit.effective =
       audit.theta ? statistics::effective_capacities(fitted.brackets, *fitted.capacities) : 0;
 }
@@ -113,6 +101,25 @@ FittedCurve curve_of_event(const StudyData& data, std::size_t configuration,
   if (!fitted.curve())
     fitted.median = statistics::median_bounds(statistics::StripeTable(fitted.observations));
   return fitted;
+}
+
+void audit_brackets(const StudyData& data, std::size_t configuration,
+                    const std::vector<statistics::Capacity>& brackets, CurveAudit& audit) {
+  audit.of_capacities = true;
+  const auto one_case = [](const statistics::Capacity& each) { return each.weight == 1; };
+  audit.counted = std::ranges::all_of(brackets, one_case) ? "records" : "analysis cases";
+  audit.outcomes = brackets.size();
+  const auto number_of = [&](auto holds) {
+    return static_cast<std::size_t>(std::ranges::count_if(brackets, holds));
+  };
+  const auto censored = [](const statistics::Capacity& each) { return std::isinf(each.high); };
+  audit.exceeded = audit.outcomes - number_of(censored);
+  audit.overturned = overturned(data, configuration);
+  const std::set<std::size_t> ended = data.ended_cases(configuration);
+  audit.ended = number_of([&](const statistics::Capacity& each) {
+    return censored(each) && ended.contains(each.analysis_case);
+  });
+  audit.fewest = statistics::kFewestCapacities;
 }
 
 statistics::FragilityBand band_of_curve(const FittedCurve& fitted, const std::vector<double>& im,

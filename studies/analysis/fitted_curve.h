@@ -69,6 +69,10 @@ FittedCurve curve_of_event(const StudyData& data, std::size_t configuration,
                            const RunMeasure& measure,
                            std::vector<statistics::Observation> observations);
 
+/// Facts of the brackets of an IDA in place of those of its runs, but for theta.
+void audit_brackets(const StudyData& data, std::size_t configuration,
+                    const std::vector<statistics::Capacity>& brackets, CurveAudit& audit);
+
 /// Confidence band of the curve in use, unless it is a cloud; see fragility_band() and
 /// capacity_intervals(). That of an IDA without a curve is that of its outcomes, which supposes no
 /// model.

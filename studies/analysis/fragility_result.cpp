@@ -249,6 +249,92 @@ std::vector<PerformanceTable> performance_tables(const StudyData& data,
   return tables;
 }
 
+namespace {
+
+constexpr double kInProportion = 1e-6;  // of logarithms: more than the rounding of two measures
+
+/// The runs of a configuration that have both measures, in those two.
+using Seen = std::array<std::vector<statistics::Observation>, 2>;
+
+double ln_ratio(const Seen& seen, std::size_t first, double power, std::size_t run) {
+  return std::log(seen[1 - first][run].im) - power * std::log(seen[first][run].im);
+}
+
+/// Of each analysis case the one ratio of its runs; none where they differ.
+std::optional<std::map<std::size_t, double>> ratios(const Seen& seen, std::size_t first,
+                                                    double power) {
+  std::map<std::size_t, double> of_case;
+  for (std::size_t run = 0; run < seen[first].size(); ++run) {
+    const double ratio = ln_ratio(seen, first, power, run);
+    const double own = of_case.try_emplace(seen[first][run].analysis_case, ratio).first->second;
+    if (std::abs(ratio - own) > kInProportion) return {};
+  }
+  return of_case;
+}
+
+/// The plane with its two measures exchanged.
+void exchange(statistics::VectorFit& fit) {
+  Eigen::PermutationMatrix<3> to;
+  to.indices() << 1, 0, 2;
+  fit.plane = to * fit.plane;
+  fit.t.reverseInPlace();
+  for (Eigen::Matrix3d* each : {&fit.covariance, &fit.cluster_covariance})
+    *each = to * *each * to.transpose();
+}
+
+statistics::FragilityFit of_capacities(const std::vector<statistics::Observation>& observations) {
+  const auto fit = statistics::fit_capacities(statistics::ida_capacities(observations));
+  statistics::FragilityFit alone;
+  alone.status = fit.status;
+  alone.curve = fit.curve;
+  alone.log_likelihood = fit.log_likelihood;
+  return alone;
+}
+
+/// The capacities of an IDA in the plane of both measures.
+void fit_brackets(const StudyData& data, std::size_t configuration, const Seen& seen,
+                  VectorResult& result) {
+  for (const std::size_t first : {0, 1}) {
+    if (!data.traces(configuration, result.measures[first])) continue;
+    for (const double power : {1.0, 0.0}) {
+      const auto of_case = ratios(seen, first, power);
+      if (!of_case) continue;
+      const auto brackets = statistics::ida_capacities(seen[first]);
+      std::vector<statistics::VectorCapacity> capacities;
+      for (const statistics::Capacity& each : brackets)
+        capacities.push_back({{std::log(each.low), std::log(each.high), each.weight},
+                              of_case->at(each.analysis_case),
+                              each.group});
+      result.fit = statistics::fit_vector_capacities(capacities, power);
+      if (first == 1) exchange(result.fit);
+      audit_brackets(data, configuration, brackets, result.audit);
+      result.alone[first] = of_capacities(seen[first]);
+      if (power == 1) result.alone[1 - first] = of_capacities(seen[1 - first]);
+      result.audit.effective = result.fit.degrees > 0 ? result.fit.degrees + 2 : 0;
+      return;
+    }
+  }
+  throw Error(fmt::format(
+      "{}: of two measures of an IDA one must grow with the factor on the record, and the other in "
+      "proportion to it or not at all: {} and {} do otherwise, so that a capacity in the one does "
+      "not belong to one value of the other",
+      data.file().path(), result.measures[0].name, result.measures[1].name));
+}
+
+void fit_outcomes(const Seen& seen, VectorResult& result) {
+  std::vector<statistics::CloudPoint> points;
+  for (const statistics::VectorObservation& each : result.runs)
+    points.push_back({.im = each.first, .edp = each.second, .group = each.group});
+  result.fit = statistics::fit_vector(result.runs);
+  result.audit.outcomes = result.fit.runs;
+  result.audit.exceeded = result.fit.exceeded;
+  result.audit.effective = statistics::effective_groups(points);
+  result.audit.fewest = statistics::kFewestGroups;
+  for (const std::size_t i : {0, 1}) result.alone[i] = statistics::fit_fragility(seen[i]);
+}
+
+}  // namespace
+
 VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t configuration,
                        const MeasurePair& measures) {
   VectorResult result;
@@ -262,8 +348,8 @@ VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t con
                       result.measures[0].name));
   const std::vector<std::size_t>& runs = data.runs_of(configuration);
   const std::vector<bool> exceeds = data.exceedances(state, runs);
-  std::array<std::vector<statistics::Observation>, 2> alone;
-  std::vector<statistics::CloudPoint> points;
+  const std::vector<double> cases = data.file().numbers("runs/analysis_case");
+  Seen seen;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const double first = result.measures[0].values[runs[i]];
     const double second = result.measures[1].values[runs[i]];
@@ -272,22 +358,19 @@ VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t con
       continue;
     }
     const std::size_t record = data.record_of(runs[i]);
+    const auto analysis_case = static_cast<std::size_t>(cases[runs[i]]);
     result.runs.push_back({first, second, exceeds[i], record});
-    points.push_back({.im = first, .edp = second, .group = record});
-    alone[0].push_back({first, exceeds[i], record});
-    alone[1].push_back({second, exceeds[i], record});
+    seen[0].push_back({first, exceeds[i], record, analysis_case});
+    seen[1].push_back({second, exceeds[i], record, analysis_case});
   }
-  result.fit = statistics::fit_vector(result.runs);
+  result.audit.factors = scale_factors(data, configuration);
+  if (data.is_ida())
+    fit_brackets(data, configuration, seen, result);
+  else
+    fit_outcomes(seen, result);
+  result.audit.records = result.fit.groups;
   if (result.fit.status == statistics::VectorStatus::kFitted)
     result.audit.theta = result.audit.lowest = result.audit.highest = result.fit.theta();
-  result.audit.outcomes = result.fit.runs;
-  result.audit.exceeded = result.fit.exceeded;
-  result.audit.records = result.fit.groups;
-  result.audit.effective = statistics::effective_groups(points);
-  result.audit.fewest = statistics::kFewestGroups;
-  result.audit.factors = scale_factors(data, configuration);
-  result.audit.chosen_by_response = data.is_ida();
-  for (const std::size_t i : {0, 1}) result.alone[i] = statistics::fit_fragility(alone[i]);
   return result;
 }
 

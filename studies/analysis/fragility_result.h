@@ -109,12 +109,13 @@ struct VectorResult {
   std::array<RunMeasure, 2> measures;
   std::vector<statistics::VectorObservation> runs;  ///< those that have both measures
   std::size_t left_out = 0, failed = 0;
-  statistics::VectorFit fit;
-  std::array<statistics::FragilityFit, 2> alone;  ///< of the same runs with one measure
+  statistics::VectorFit fit;                      ///< of capacities after an IDA, else of outcomes
+  std::array<statistics::FragilityFit, 2> alone;  ///< of the same with one measure
   CurveAudit audit;  ///< of outcomes and records; two measures have no range to leave
 };
 
-/// @throws Error for a measure that the file lacks, or the same one twice
+/// @throws Error for a measure that the file lacks, or the same one twice; after an IDA, unless one
+/// is scaled with the record and the other in proportion or not at all
 VectorResult vector_of(const StudyData& data, std::size_t state, std::size_t configuration,
                        const MeasurePair& measures);
 

@@ -238,7 +238,9 @@ Value beta_of(const statistics::FragilityFit& fit) {
 
 std::vector<findings::Cell> row_of(const study::VectorResult& result, const Units& units) {
   const statistics::VectorFit& fit = result.fit;
-  const std::string exceed = fmt::format("{} of {}", fit.exceeded, fit.runs);
+  const std::string exceed =
+      fmt::format("{} of {}{}{}", fit.exceeded, fit.runs, result.audit.of_capacities ? " " : "",
+                  result.audit.of_capacities ? result.audit.counted : "");
   if (!is_fitted(fit)) {
     std::vector<findings::Cell> row{result.configuration, result.state, exceed,
                                     std::string(text(fit.status))};
@@ -290,7 +292,8 @@ Section json_of(const study::VectorResult& result, const Units& units) {
   of.json("configuration", result.configuration).json("limit_state", result.state);
   of.json("measures", findings::Texts{result.measures[0].name, result.measures[1].name});
   of.json("units", findings::Texts{units[0].name, units[1].name});
-  of.json("runs", fit.runs).json("exceeded", fit.exceeded).json("records", fit.groups);
+  of.json("runs", result.runs.size()).json("of_capacities", result.audit.of_capacities);
+  of.json("outcomes", fit.runs).json("exceeded", fit.exceeded).json("records", fit.groups);
   of.json("left_out", result.left_out).json("failed", result.failed);
   of.json("status", text(fit.status)).list("cautions", "", study::cautions(result.audit, {}));
   if (is_fitted(fit)) {
@@ -311,8 +314,9 @@ Section json_of(const study::VectorResult& result, const Units& units) {
   findings::Table alone{"alone", "", json_columns({"theta", "beta", "log_likelihood"})};
   for (const std::size_t i : {0, 1}) {
     const statistics::FragilityFit& each = result.alone[i];
+    const bool known = each.status != statistics::FragilityStatus::kNoRuns;
     alone.add({each.curve ? Value(each.curve->theta / units[i].in_si) : Value(), beta_of(each),
-               each.log_likelihood});
+               known ? Value(each.log_likelihood) : Value()});
   }
   return std::move(of.add(std::move(alone)));
 }

@@ -4,8 +4,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
@@ -104,6 +106,9 @@ std::string text(VectorStatus status) {
       return "separated, or nearly: a line in the plane of both measures parts the runs that "
              "exceed "
              "from the others, so slopes are not determined";
+    case VectorStatus::kInAllBrackets:
+      return "separated: a line in the plane of both measures runs through the brackets of all "
+             "capacities, so slopes are not determined";
     case VectorStatus::kNotIncreasing:
       return "exceedance does not increase with both measures together";
   }
@@ -121,9 +126,8 @@ double VectorFit::theta() const { return std::exp(-plane[2] / (plane[0] + plane[
 double VectorFit::beta() const { return 1 / (plane[0] + plane[1]); }
 
 double VectorFit::p_of(Eigen::Index slope) const {
-  const Eigen::Matrix3d& of = groups > 1 ? cluster_covariance : covariance;
-  const double t = std::abs(plane[slope]) / std::sqrt(of(slope, slope));
-  return groups > 1 ? 2 * student_survival(t, static_cast<double>(groups) - 1) : 2 * normal_cdf(-t);
+  const double far = std::abs(t[slope]);
+  return degrees > 0 ? 2 * student_survival(far, degrees) : 2 * normal_cdf(-far);
 }
 
 VectorFit fit_vector(const std::vector<VectorObservation>& observations) {
@@ -138,6 +142,7 @@ VectorFit fit_vector(const std::vector<VectorObservation>& observations) {
   }
   fit.runs = observations.size();
   fit.groups = groups.size();
+  fit.degrees = static_cast<double>(fit.groups) - 1;
   if (observations.empty()) return fit;
   const Standardised at = standardised(observations);
   fit.status = status_of_outcomes(fit, at);
@@ -169,7 +174,78 @@ VectorFit fit_vector(const std::vector<VectorObservation>& observations) {
   fit.covariance = at.back * inverse * at.back.transpose();
   fit.cluster_covariance = at.back * inverse * spread_of_scores(maximum.point, at, observations) *
                            inverse * at.back.transpose();
+  const Eigen::Matrix3d& of = fit.groups > 1 ? fit.cluster_covariance : fit.covariance;
+  fit.t = (fit.plane.array() / of.diagonal().array().sqrt()).head<2>();
   if (!(fit.plane[0] + fit.plane[1] > 0)) fit.status = VectorStatus::kNotIncreasing;
+  return fit;
+}
+
+namespace {
+
+/// Derivatives of the plane of m0, m1 and sigma by (m0, m1, ln sigma).
+Eigen::Matrix3d derivatives(const Eigen::Vector3d& plane, double sigma, double power) {
+  Eigen::Matrix3d of;
+  of << 0, power / sigma, -plane[0], 0, -1 / sigma, -plane[1], -1 / sigma, 0, -plane[2];
+  return of;
+}
+
+/// Whether a line runs through every bracket: the smaller sigma, the better it explains them.
+bool in_all_brackets(const Eigen::VectorXd& line, const std::vector<VectorCapacity>& capacities) {
+  return std::ranges::all_of(capacities, [&](const VectorCapacity& each) {
+    const double at = line[0] + line[1] * each.ln_ratio;
+    return each.ln_first.low <= at && at <= each.ln_first.high;
+  });
+}
+
+/// Why brackets have no fit; kFitted where that is still to be seen.
+VectorStatus status_of_brackets(const std::vector<VectorCapacity>& capacities) {
+  const auto all = [&](auto holds) { return std::ranges::all_of(capacities, holds); };
+  if (all([](const VectorCapacity& each) { return std::isinf(each.ln_first.high); }))
+    return VectorStatus::kNoneExceeds;
+  if (all([](const VectorCapacity& each) { return std::isinf(each.ln_first.low); }))
+    return VectorStatus::kAllExceed;
+  const auto [low, high] = std::ranges::minmax(capacities, {}, &VectorCapacity::ln_ratio);
+  // As of fit_vector(): logarithms apart by less than a billionth.
+  return high.ln_ratio - low.ln_ratio > 1e-9 ? VectorStatus::kFitted : VectorStatus::kTogether;
+}
+
+}  // namespace
+
+VectorFit fit_vector_capacities(const std::vector<VectorCapacity>& capacities, double power) {
+  VectorFit fit;
+  std::set<std::size_t> groups;
+  std::vector<CensoredValue> values;
+  Eigen::MatrixXd design(static_cast<Eigen::Index>(capacities.size()), 2);
+  double records = 0;
+  for (const VectorCapacity& each : capacities) {
+    design.row(static_cast<Eigen::Index>(values.size())) << 1, each.ln_ratio;
+    values.push_back(each.ln_first);
+    groups.insert(each.group);
+    fit.exceeded += std::isfinite(each.ln_first.high);
+    records += each.ln_first.weight;
+  }
+  fit.runs = capacities.size();
+  fit.groups = groups.size();
+  if (capacities.empty()) return fit;
+  fit.status = status_of_brackets(capacities);
+  if (fit.status != VectorStatus::kFitted) return fit;
+  const CensoredNormalFit normal = fit_censored_normal(design, values);
+  fit.status = VectorStatus::kInAllBrackets;
+  if (!normal.found || in_all_brackets(normal.coefficients, capacities)) return fit;
+  const double sigma = normal.sigma, m0 = normal.coefficients[0], m1 = normal.coefficients[1];
+  fit.plane = Eigen::Vector3d(1 + power * m1, -m1, -m0) / sigma;
+  const double n = std::clamp(0.5 / normal.covariance(2, 2), 3.0, std::max(3.0, records));
+  const Eigen::Matrix3d by = derivatives(fit.plane, sigma, power);
+  fit.degrees = n - 2;
+  fit.covariance = n / (n - 2) * by * normal.covariance * by.transpose();
+  fit.cluster_covariance = fit.covariance;
+  // A slope m / sigma is 0 where m is, whatever sigma; 1 / sigma never is.
+  const double error = std::sqrt(n / (n - 2) * normal.covariance(1, 1));
+  fit.t = {power == 0 ? fit.plane[0] / std::sqrt(fit.covariance(0, 0)) : (1 + power * m1) / error,
+           -m1 / error};
+  fit.log_likelihood = normal.log_likelihood;
+  fit.status =
+      fit.plane[0] + fit.plane[1] > 0 ? VectorStatus::kFitted : VectorStatus::kNotIncreasing;
   return fit;
 }
 

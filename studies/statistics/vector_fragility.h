@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/statistics/censored_normal.h"
+
 namespace gurney::statistics {
 
 /// One run seen at one limit, with two measures of its intensity.
@@ -19,9 +21,10 @@ enum class VectorStatus {
   kNoRuns,
   kAllExceed,
   kNoneExceeds,
-  kTogether,      ///< one measure is a power of the other: their effects cannot be distinguished
-  kSeparated,     ///< a line in the plane of both parts the outcomes, or nearly: no maximum
-  kNotIncreasing  ///< the slopes do not sum to more than 0: no lognormal curve of a combination
+  kTogether,       ///< one measure is a power of the other: their effects cannot be distinguished
+  kSeparated,      ///< a line in the plane of both parts the outcomes, or nearly: no maximum
+  kInAllBrackets,  ///< a line in the plane of both runs through all brackets: the same
+  kNotIncreasing   ///< the slopes do not sum to more than 0: no lognormal curve of a combination
 };
 
 std::string text(VectorStatus status);
@@ -36,16 +39,19 @@ struct VectorFit {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();          ///< runs independent
   Eigen::Matrix3d cluster_covariance = Eigen::Matrix3d::Zero();  ///< groups are; one group: zero
   double log_likelihood = 0;
-  std::size_t runs = 0, exceeded = 0, groups = 0;
+  std::size_t runs = 0, exceeded = 0, groups = 0;  ///< runs, or capacities
+  Eigen::Vector2d t = Eigen::Vector2d::Zero();     ///< slopes over standard errors, for p_of()
+  double degrees = 0;  ///< of freedom of t; 0: of the normal distribution
 
   double probability(double first, double second) const;
   double share() const;  ///< of the first in the combination
   double theta() const;  ///< of the combination
   double beta() const;
 
-  /// P of a slope at least so far from 0 by chance, from Student's t with groups - 1 degrees and
-  /// the cluster covariance; with one group from the normal and the covariance of independent runs.
-  /// Somewhat too small with few groups: of slopes of 0 7 % have p < 0.05 with 40 groups of five.
+  /// P of a slope at least so far from 0 by chance, from Student's t. Of runs with groups - 1
+  /// degrees and the cluster covariance; with one group from the normal and the covariance of
+  /// independent runs. Somewhat too small with few groups: of slopes of 0 7 % have p < 0.05 with 40
+  /// groups of five.
   /// @param slope  0: of the first; 1: of the second
   double p_of(Eigen::Index slope) const;
 };
@@ -55,5 +61,21 @@ struct VectorFit {
 /// 1e-9.
 /// @throws Error unless all intensities are > 0 and finite.
 VectorFit fit_vector(const std::vector<VectorObservation>& observations);
+
+/// Bracket of an analysis case of an incremental dynamic analysis: it exceeds where the first
+/// measure is above a capacity within the bracket.
+struct VectorCapacity {
+  CensoredValue ln_first;  ///< weight: one over the analysis cases of its record
+  double ln_ratio = 0;     ///< ln second - power ln first, the same at all its runs
+  std::size_t group = 0;   ///< its record
+};
+
+/// The same plane from brackets: ln capacity in the first measure is m0 + m1 ln_ratio + sigma z, so
+/// that plane = (1 + power m1, -m1, -m0) / sigma (Baker & Cornell 2005: capacities regressed on the
+/// second measure). Each record counts once, as in fit_capacities(). Both covariances are those of
+/// n - 2 degrees of freedom, with which p is Student's where brackets have no width; n counts
+/// records by their information on sigma.
+/// @param power  1: the second measure grows in proportion to the first along a record; 0: it stays
+VectorFit fit_vector_capacities(const std::vector<VectorCapacity>& capacities, double power);
 
 }  // namespace gurney::statistics

@@ -40,12 +40,38 @@ std::vector<SyntheticRun> runs(double power) {
   return all;
 }
 
+/// An IDA of 30 records in brackets of 4 %: `moved` above 2 m/s2 (PGA h1 times velocity over 0.1)
+/// to the power 1/2, but for a scatter of 0.2. Velocities grow with the level, or stay.
+std::vector<SyntheticRun> ida_runs(bool grow) {
+  std::vector<SyntheticRun> all;
+  for (std::uint64_t i = 0; i < 30; ++i) {
+    const auto normal = [&](std::uint64_t stream) {
+      return normal_quantile(uniform_draw(8, stream, i));
+    };
+    // ln capacity c: (ln c + ln pfv / 0.1) / 2 = ln 2 + 0.2 z at pfv = c exp(r), or at exp(r).
+    const double r = 0.6 * normal(1), at = std::log(2) + 0.2 * normal(2);
+    const double capacity = std::exp(grow ? at - r / 2 : 2 * at - r);
+    for (const double of : {0.5, 0.98, 1.02})
+      all.push_back({.record = i,
+                     .level = of * capacity,
+                     .displacement = of > 1 ? 0.2 : 0.05,
+                     .pfv = 0.1 * std::exp(r) * (grow ? of * capacity : 1)});
+  }
+  return all;
+}
+
+std::string traced_job() {
+  std::string job = synthetic_job();
+  return job.replace(job.find("levels = [1, 2]"), 15,
+                     "ida = { first = 0.5, increment = 0.5, until = \"moved\" }");
+}
+
 class VectorResultTest : public testing::Test {
  protected:
-  StudyData data(const std::vector<SyntheticRun>& all) {
+  StudyData data(const std::vector<SyntheticRun>& all, const std::string& job = synthetic_job()) {
     std::vector<std::string> records;
     for (int i = 0; i < 30; ++i) records.push_back("r" + std::to_string(i));
-    const SyntheticRuns study{.job = synthetic_job(), .records = records, .files = {}, .runs = all};
+    const SyntheticRuns study{.job = job, .records = records, .files = {}, .runs = all};
     const std::string path = folder_.file(std::to_string(++files_) + ".h5");
     study.write(path);
     return StudyData(path);
@@ -101,6 +127,46 @@ TEST_F(VectorResultTest, SaysWhatIsMissing) {
                "no intensity measure 'pfw'; did you mean 'pfa'?");
   EXPECT_ERROR(vector_of(study, 0, 0, {"", "PGA h1"}),
                "the second measure must not be the first, PGA h1");
+}
+
+// Both slopes are 1/2 over the scatter 0.2 where both measures grow, and over twice of it where one
+// stays: 2.5 and 2.5, or ln c = 2 ln 2 - r + 0.4 z. Within 4 standard errors.
+TEST_F(VectorResultTest, AfterAnIdaIsOfCapacities) {
+  for (const bool grow : {true, false}) {
+    const StudyData study = data(ida_runs(grow), traced_job());
+    const VectorResult found = vector_of(study, 0, 0, {"PGA h1", "pfv"}),
+                       turned = vector_of(study, 0, 0, {"pfv", "PGA h1"});
+    ASSERT_EQ(found.fit.status, statistics::VectorStatus::kFitted);
+    EXPECT_EQ(found.fit.runs, 30);
+    EXPECT_EQ(found.runs.size(), 90);
+    for (const Eigen::Index i : {0, 1})
+      EXPECT_NEAR(found.fit.plane[i], 2.5, 4 * std::sqrt(found.fit.covariance(i, i))) << grow;
+    EXPECT_LT(found.fit.p_of(1), 0.001);
+    // The same capacities seen along either measure; brackets are the same in both.
+    EXPECT_NEAR(turned.fit.log_likelihood, found.fit.log_likelihood, 1e-6);
+    for (const Eigen::Index i : {0, 1}) {
+      EXPECT_NEAR(turned.fit.plane[i], found.fit.plane[1 - i], 1e-4);
+      EXPECT_NEAR(turned.fit.covariance(i, i), found.fit.covariance(1 - i, 1 - i), 1e-4);
+    }
+    EXPECT_EQ(found.alone[1].curve.has_value(), grow) << "what stays has no capacities";
+    ASSERT_TRUE(found.alone[0].curve);
+    EXPECT_GT(found.alone[0].curve->beta, found.fit.beta());
+    EXPECT_FALSE(found.audit.chosen_by_response);
+    EXPECT_EQ(found.audit.outcomes, 30);
+    const findings::Section all = report::vector_findings(study, {found});
+    EXPECT_THAT(words_of(all), HasSubstr("moved: each adds information to the other"));
+    EXPECT_THAT(render::json(all), HasSubstr("\"of_capacities\": true"));
+    EXPECT_EQ(figures::vector_figure(study, {found}).find("nan"), std::string::npos);
+  }
+}
+
+TEST_F(VectorResultTest, RefusesAnIdaOfMeasuresThatGrowApart) {
+  auto all = ida_runs(true);
+  all[1].pfv *= 1.1;
+  const StudyData study = data(all, traced_job());
+  EXPECT_ERROR(vector_of(study, 0, 0, {"PGA h1", "pfv"}),
+               "of two measures of an IDA one must grow with the factor on the record, and the "
+               "other in proportion to it or not at all: PGA h1 and pfv do otherwise");
 }
 
 }  // namespace

@@ -132,5 +132,105 @@ TEST(VectorFragility, SaysWhyThereIsNone) {
     EXPECT_ERROR(fit_vector({{1, bad, true, 0}}), "must be > 0 and finite");
 }
 
+/// One capacity a record: ln capacity in a = 0.2 + m1 ln_ratio + 0.3 z, in brackets of this width.
+std::vector<VectorCapacity> capacities(std::uint64_t seed, std::size_t records, double m1,
+                                       double width) {
+  std::vector<VectorCapacity> all;
+  for (std::size_t i = 0; i < records; ++i) {
+    const auto normal = [&](std::uint64_t stream) {
+      return normal_quantile(uniform_draw(seed, stream, i));
+    };
+    const double ratio = 0.5 * normal(1), ln = 0.2 + m1 * ratio + 0.3 * normal(2);
+    const double low = width > 0 ? width * std::floor(ln / width) : ln;
+    all.push_back({{low, low + width, 1}, ratio, i});
+  }
+  return all;
+}
+
+// With brackets without width the fit is that of least squares, and p that of its Student's t.
+TEST(VectorCapacities, ExactOnesAreALinearRegression) {
+  const std::size_t n = 12;
+  const auto all = capacities(1, n, -0.4, 0);
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  for (const VectorCapacity& each : all) {
+    x += each.ln_ratio / n;
+    y += each.ln_first.low / n;
+  }
+  for (const VectorCapacity& each : all) {
+    const double dx = each.ln_ratio - x, dy = each.ln_first.low - y;
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
+  }
+  const double m1 = xy / xx, rest = yy - m1 * xy, sigma = std::sqrt(rest / n);
+  const double error = std::sqrt(rest / (n - 2) / xx);
+  const VectorFit fit = fit_vector_capacities(all, 1);
+  ASSERT_EQ(fit.status, VectorStatus::kFitted);
+  // Newton's method ends with a change below 1e-8.
+  EXPECT_NEAR(fit.beta(), sigma, 1e-7);
+  EXPECT_NEAR(fit.share(), 1 + m1, 1e-7);
+  EXPECT_NEAR(std::log(fit.theta()), y - m1 * x, 1e-7);
+  EXPECT_NEAR(fit.p_of(0), 2 * student_survival((1 + m1) / error, n - 2), 1e-7);
+  EXPECT_NEAR(fit.p_of(1), 2 * student_survival(-m1 / error, n - 2), 1e-7);
+  // Of a second measure that stays along a record the same, with other slopes.
+  const VectorFit stays = fit_vector_capacities(all, 0);
+  EXPECT_NEAR(stays.plane[0], 1 / sigma, 1e-6);
+  EXPECT_NEAR(stays.plane[1], fit.plane[1], 1e-6);
+  EXPECT_NEAR(stays.p_of(1), fit.p_of(1), 1e-7);
+}
+
+// What the runs of stripes tell of the same items, the brackets of their IDA tell as well.
+TEST(VectorCapacities, AreThePlaneOfTheOutcomes) {
+  std::vector<VectorObservation> runs;
+  const auto all = capacities(2, 2000, -0.4, 0.1);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (int level = 0; level < 5; ++level) {
+      const double a =
+          0.1 * (level - 3) + 0.4 * uniform_draw(9, static_cast<std::uint64_t>(level), i);
+      runs.push_back({std::exp(a), std::exp(a + all[i].ln_ratio), a >= all[i].ln_first.high, i});
+    }
+  const VectorFit of_brackets = fit_vector_capacities(all, 1), of_runs = fit_vector(runs);
+  ASSERT_EQ(of_brackets.status, VectorStatus::kFitted);
+  EXPECT_EQ(of_brackets.exceeded, 2000);
+  for (const auto& [slope, truth] : {std::pair{0, 2.0}, {1, 4 / 3.0}, {2, -2 / 3.0}})
+    EXPECT_NEAR(of_brackets.plane[slope], truth,
+                4 * std::sqrt(of_brackets.covariance(slope, slope)));
+  // Exceedance above the upper end lowers the constant by half a bracket; slopes are the same.
+  for (const Eigen::Index slope : {0, 1})
+    EXPECT_NEAR(of_runs.plane[slope], of_brackets.plane[slope],
+                4 * std::sqrt(of_runs.cluster_covariance(slope, slope)));
+}
+
+TEST(VectorCapacities, AMeasureWithoutInfluenceIsCalledSoAtTheStatedRate) {
+  int called = 0;
+  const int repeats = 1000;
+  for (int i = 0; i < repeats; ++i)
+    called += fit_vector_capacities(capacities(static_cast<std::uint64_t>(100 + i), 12, 0, 0.1), 1)
+                  .p_of(1) < 0.05;
+  // Both tails of the binomial distribution at 0.25 %.
+  EXPECT_GT(binomial_cdf(called, repeats, 0.05), 0.0025) << called;
+  EXPECT_LT(binomial_cdf(called - 1, repeats, 0.05), 0.9975) << called;
+}
+
+TEST(VectorCapacities, SayWhyThereIsNoPlane) {
+  const double none = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(fit_vector_capacities({}, 1).status, VectorStatus::kNoRuns);
+  EXPECT_EQ(fit_vector_capacities({{{1, none}, 0, 0}, {{2, none}, 1, 1}}, 1).status,
+            VectorStatus::kNoneExceeds);
+  EXPECT_EQ(fit_vector_capacities({{{-none, 1}, 0, 0}, {{-none, 2}, 1, 1}}, 1).status,
+            VectorStatus::kAllExceed);
+  auto all = capacities(3, 12, -0.4, 0.1);
+  for (VectorCapacity& each : all) each.ln_ratio = 0.7;
+  EXPECT_EQ(fit_vector_capacities(all, 1).status, VectorStatus::kTogether);
+  all = capacities(3, 12, -0.4, 0.1);
+  for (VectorCapacity& each : all) each.ln_first = {each.ln_ratio - 0.1, each.ln_ratio + 0.1};
+  EXPECT_EQ(fit_vector_capacities(all, 1).status, VectorStatus::kInAllBrackets);
+  EXPECT_EQ(fit_vector_capacities({all[0], all[1]}, 1).status, VectorStatus::kInAllBrackets);
+  // A capacity in a that falls faster than b grows: stronger motions would be safer.
+  EXPECT_EQ(fit_vector_capacities(capacities(4, 200, -2, 0.1), 0).status, VectorStatus::kFitted);
+  EXPECT_EQ(fit_vector_capacities(capacities(4, 200, 2, 0.1), 0).status,
+            VectorStatus::kNotIncreasing);
+}
+
 }  // namespace
 }  // namespace gurney::statistics

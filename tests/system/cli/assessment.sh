@@ -142,6 +142,10 @@ grep -q '"method": "capacities"' stated.json || complain "no capacities"
 "$gurney" fragility ida.h5 --json --limit-state overturned \
   --limit-state 'rolled = peak_displacement > 0.04 m' --limit rolled | sed 's/0.04 m/4 cm/' > given.json
 same stated.json given.json
+# With a second measure they are capacities as well, not outcomes of runs that the response chose.
+"$gurney" fragility ida.h5 --limit rolled --and pfv --json > both.json
+grep -q '"of_capacities": true' both.json || complain "no capacities of two measures"
+grep -q 'chosen by their response' both.json && complain "outcomes of an IDA"
 
 # What cannot be answered.
 expect 1 "did you mean 'peak_displacement'?" "$gurney" fragility plain.h5 --limit-state 'peak_dsplacement > 1 m'
