@@ -260,7 +260,7 @@ double ln_ratio(const Seen& seen, std::size_t first, double power, std::size_t r
   return std::log(seen[1 - first][run].im) - power * std::log(seen[first][run].im);
 }
 
-/// Of each analysis case the one ratio of its runs; none where they differ.
+/// Ratio of each analysis case, which its runs share; none where they differ.
 std::optional<std::map<std::size_t, double>> ratios(const Seen& seen, std::size_t first,
                                                     double power) {
   std::map<std::size_t, double> of_case;

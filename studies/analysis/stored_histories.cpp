@@ -93,6 +93,7 @@ const std::vector<std::vector<double>>& StoredHistories::Layout::columns(
     const std::string& name) const {
   if (columns_of_ == name) return columns_;
   columns_.clear();
+  columns_of_.clear();  // where reading ends in an error, none are kept
   for (const Hdf5Dataset& column : datasets.at(name)) {
     file.require_length({column.path}, rows().time.size());
     columns_.push_back(file.numbers(column.path));
@@ -161,10 +162,12 @@ std::string StoredHistories::title() const { return layout_->file.text_attribute
 const std::string& StoredHistories::path() const { return layout_->file.path(); }
 
 std::vector<std::size_t> StoredHistories::runs() const {
-  if (layout_->names.empty()) return {};
-  if (!layout_->of_study) return {static_cast<std::size_t>(layout_->numbers("run").at(0))};
   std::vector<std::size_t> runs;
-  for (const auto& [run, rows] : layout_->rows().of_run) runs.push_back(run);
+  if (layout_->names.empty()) return runs;
+  if (layout_->of_study)
+    for (const auto& [run, rows] : layout_->rows().of_run) runs.push_back(run);
+  else
+    for (const double run : layout_->numbers("run")) runs.push_back(static_cast<std::size_t>(run));
   return runs;
 }
 

@@ -238,9 +238,8 @@ Value beta_of(const statistics::FragilityFit& fit) {
 
 std::vector<findings::Cell> row_of(const study::VectorResult& result, const Units& units) {
   const statistics::VectorFit& fit = result.fit;
-  const std::string exceed =
-      fmt::format("{} of {}{}{}", fit.exceeded, fit.runs, result.audit.of_capacities ? " " : "",
-                  result.audit.of_capacities ? result.audit.counted : "");
+  std::string exceed = fmt::format("{} of {}", fit.exceeded, fit.runs);
+  if (result.audit.of_capacities) exceed += fmt::format(" {}", result.audit.counted);
   if (!is_fitted(fit)) {
     std::vector<findings::Cell> row{result.configuration, result.state, exceed,
                                     std::string(text(fit.status))};

@@ -70,7 +70,7 @@ struct VectorCapacity {
   std::size_t group = 0;   ///< its record
 };
 
-/// The same plane from brackets: ln capacity in the first measure is m0 + m1 ln_ratio + sigma z, so
+/// Plane from brackets: ln capacity in the first measure is m0 + m1 ln_ratio + sigma z, so
 /// that plane = (1 + power m1, -m1, -m0) / sigma (Baker & Cornell 2005: capacities regressed on the
 /// second measure). Each record counts once, as in fit_capacities(). Both covariances are those of
 /// n - 2 degrees of freedom, with which p is Student's where brackets have no width; n counts

@@ -142,7 +142,7 @@ TEST_F(VectorResultTest, AfterAnIdaIsOfCapacities) {
     for (const Eigen::Index i : {0, 1})
       EXPECT_NEAR(found.fit.plane[i], 2.5, 4 * std::sqrt(found.fit.covariance(i, i))) << grow;
     EXPECT_LT(found.fit.p_of(1), 0.001);
-    // The same capacities seen along either measure; brackets are the same in both.
+    // Capacities do not depend on the measure that they are seen along: brackets are alike in both.
     EXPECT_NEAR(turned.fit.log_likelihood, found.fit.log_likelihood, 1e-6);
     for (const Eigen::Index i : {0, 1}) {
       EXPECT_NEAR(turned.fit.plane[i], found.fit.plane[1 - i], 1e-4);

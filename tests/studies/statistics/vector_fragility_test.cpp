@@ -172,14 +172,14 @@ TEST(VectorCapacities, ExactOnesAreALinearRegression) {
   EXPECT_NEAR(std::log(fit.theta()), y - m1 * x, 1e-7);
   EXPECT_NEAR(fit.p_of(0), 2 * student_survival((1 + m1) / error, n - 2), 1e-7);
   EXPECT_NEAR(fit.p_of(1), 2 * student_survival(-m1 / error, n - 2), 1e-7);
-  // Of a second measure that stays along a record the same, with other slopes.
+  // A second measure that stays along a record has other slopes.
   const VectorFit stays = fit_vector_capacities(all, 0);
   EXPECT_NEAR(stays.plane[0], 1 / sigma, 1e-6);
   EXPECT_NEAR(stays.plane[1], fit.plane[1], 1e-6);
   EXPECT_NEAR(stays.p_of(1), fit.p_of(1), 1e-7);
 }
 
-// What the runs of stripes tell of the same items, the brackets of their IDA tell as well.
+// Brackets of an IDA tell what the runs of stripes tell of the same items.
 TEST(VectorCapacities, AreThePlaneOfTheOutcomes) {
   std::vector<VectorObservation> runs;
   const auto all = capacities(2, 2000, -0.4, 0.1);
