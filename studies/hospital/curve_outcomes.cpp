@@ -155,10 +155,8 @@ class CurveFile {
     for (const auto& [velocity, title] : velocities_) {
       const std::string& stated = text(title);
       const std::size_t slash = stated.find('/');
-      const std::optional<double> exceed = number(stated.substr(0, slash)),
-                                  motions = slash == std::string::npos
-                                                ? std::nullopt
-                                                : number(stated.substr(slash + 1));
+      const std::string total = slash == std::string::npos ? "" : stated.substr(slash + 1);
+      const std::optional<double> exceed = number(stated.substr(0, slash)), motions = number(total);
       if (!exceed || !motions || !(0 <= *exceed && *exceed <= *motions) ||
           *exceed != std::floor(*exceed) || *motions != std::floor(*motions))
         fail(cell(title).column,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "engine/base/error.h"
@@ -33,8 +34,13 @@ using Row = std::vector<double>;                      ///< of one sample, or mea
 /// each room's copies.
 enum Column : std::size_t { kBeds, kLoss, kFirstService };
 
-struct Window {
-  std::size_t level = 0, first = 0, count = 0;
+/// Random numbers of consecutive samples, which all levels, settings and replicates have in common.
+struct Draws {
+  std::size_t first = 0;
+  std::vector<MotionSample> motions;  ///< of each sample
+  std::vector<PieceSample> pieces;    ///< of sample and piece
+
+  std::size_t count() const { return motions.size(); }
 };
 
 class Model {
@@ -45,11 +51,9 @@ class Model {
         source_(source),
         request_(request),
         tree_(hospital, source.states(), lost_states(hospital, consequences)) {
-    for (const Room& room : hospital.rooms) {
-      costs_.emplace_back();
-      for (const HospitalItem& item : room.items)
-        costs_.back().push_back(costs_of(item, consequences));
-    }
+    for (const Room& room : hospital.rooms) outcomes_.emplace_back(room.items.size());
+    for (const Piece& piece : tree_.pieces)
+      costs_.push_back(costs_of(hospital.rooms[piece.room].items[piece.item], consequences));
   }
 
   const HospitalTree& tree() const { return tree_; }
@@ -62,76 +66,91 @@ class Model {
     for (std::size_t room = 0; room < settings.size(); ++room)
       for (std::size_t item = 0; item < settings[room].size(); ++item) {
         const Securing& securing = settings[room][item];
-        add(room, item, securing.brakes);
-        if (securing.share < 1) add(room, item, Brakes::kOff);
+        prepare(room, item, securing.brakes);
+        if (securing.share < 1) prepare(room, item, Brakes::kOff);
       }
   }
 
-  /// States of all pieces, sample by sample.
-  std::vector<Reached> simulate(const Window& window, const Settings& settings,
+  Draws draws(std::size_t first, std::size_t count) const {
+    const std::size_t pieces = tree_.pieces.size();
+    Draws draws{first, std::vector<MotionSample>(count), std::vector<PieceSample>(count * pieces)};
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t sample = first + i;
+      draws.motions[i] = {normal(kCommon, sample), normal(kFloor, sample),
+                          uniform(kRecord, sample)};
+      for (std::size_t piece = 0; piece < pieces; ++piece)
+        draws.pieces[i * pieces + piece] =
+            source_.records() > 0 ? PieceSample{0, uniform(stream_of(piece) + kDraw, sample)}
+                                  : PieceSample{normal(stream_of(piece) + kCapacity, sample), 0};
+    }
+    return draws;
+  }
+
+  /// States of all pieces at a level, sample by sample.
+  std::vector<Reached> simulate(const Draws& draws, std::size_t level, const Settings& settings,
                                 const Replicate& replicate) const {
-    std::vector<Reached> reached(window.count * tree_.pieces.size());
+    std::vector<Reached> reached(draws.count() * tree_.pieces.size());
     std::vector<std::size_t> all(tree_.pieces.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    renew(window, settings, replicate, all, reached);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    renew(draws, level, settings, replicate, all, reached);
     return reached;
   }
 
-  /// The same for some pieces whose setting has changed.
-  void renew(const Window& window, const Settings& settings, const Replicate& replicate,
-             const std::vector<std::size_t>& pieces, std::vector<Reached>& reached) const {
-    for (std::size_t i = 0; i < window.count; ++i) {
-      const std::size_t sample = window.first + i;
-      const MotionSample motion{normal(kCommon, sample), normal(kFloor, sample),
-                                uniform_draw(request_.seed, kRecord, sample)};
-      Reached* const row = reached.data() + i * tree_.pieces.size();
+  /// The same anew for some pieces, whose setting has changed.
+  void renew(const Draws& draws, std::size_t level, const Settings& settings,
+             const Replicate& replicate, const std::vector<std::size_t>& pieces,
+             std::vector<Reached>& reached) const {
+    for (std::size_t i = 0; i < draws.count(); ++i)
       for (const std::size_t piece : pieces)
-        row[piece] = reach(piece, window.level, sample, motion, settings, replicate);
-    }
+        reached[i * tree_.pieces.size() + piece] =
+            reach(draws, i, piece, level, settings, replicate);
   }
 
-  Row row(const Reached* reached, std::vector<char>& works) const {
+  /// Adds the numbers of one sample.
+  void add(const Reached* reached, std::vector<char>& works, Row& row) const {
     tree_.tree.evaluate(reached, works);
-    Row row(columns(), 0);
+    double loss = 0;
     for (std::size_t i = 0; i < tree_.pieces.size(); ++i)
-      if (reached[i] != 0)
-        row[kLoss] += cost(costs_[tree_.pieces[i].room][tree_.pieces[i].item], reached[i]);
+      if (reached[i] != 0) loss += cost(costs_[i], reached[i]);
+    row[kLoss] += loss;
     for (std::size_t i = 0; i < tree_.services.size(); ++i)
-      row[kFirstService + i] = works[tree_.services[i]];
+      row[kFirstService + i] += works[tree_.services[i]];
+    int beds = 0;
     for (std::size_t room = 0; room < tree_.rooms.size(); ++room) {
       int working = 0;
       for (const FaultTree::Node copy : tree_.rooms[room]) working += works[copy];
       const int copies = hospital_.rooms[room].count;
-      row[kBeds] += hospital_.rooms[room].beds * (copies - working);
-      row[kFirstService + tree_.services.size() + room] = static_cast<double>(working) / copies;
+      beds += hospital_.rooms[room].beds * (copies - working);
+      row[kFirstService + tree_.services.size() + room] += static_cast<double>(working) / copies;
     }
-    return row;
+    row[kBeds] += beds;
   }
 
-  /// Means over a window.
+  /// Means over samples.
   Row means(const std::vector<Reached>& reached, std::size_t count) const {
     Row sum(columns(), 0);
     std::vector<char> works(tree_.tree.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const Row one = row(reached.data() + i * tree_.pieces.size(), works);
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one[k];
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      add(reached.data() + i * tree_.pieces.size(), works, sum);
     for (double& each : sum) each /= static_cast<double>(count);
     return sum;
   }
 
-  /// Rows of a window, by several threads.
-  std::vector<Row> rows(const Window& window, const Settings& settings) const {
+  /// Rows of level and sample, by several threads.
+  std::vector<std::vector<Row>> rows(const Settings& settings) const {
     constexpr std::size_t kBlock = 500;
-    std::vector<Row> all(window.count);
-    parallel_for((window.count + kBlock - 1) / kBlock, request_.threads, [&](std::size_t block) {
-      Window part = window;
-      part.first += block * kBlock;
-      part.count = std::min(kBlock, window.count - block * kBlock);
-      const std::vector<Reached> reached = simulate(part, settings, {});
+    const std::size_t samples = request_.samples, blocks = (samples + kBlock - 1) / kBlock;
+    std::vector<std::vector<Row>> all(hospital_.levels.size(),
+                                      std::vector<Row>(samples, Row(columns(), 0)));
+    parallel_for(blocks, request_.threads, [&](std::size_t block) {
+      const std::size_t first = block * kBlock;
+      const Draws part = draws(first, std::min(kBlock, samples - first));
       std::vector<char> works(tree_.tree.size());
-      for (std::size_t i = 0; i < part.count; ++i)
-        all[block * kBlock + i] = row(reached.data() + i * tree_.pieces.size(), works);
+      for (std::size_t level = 0; level < all.size(); ++level) {
+        const std::vector<Reached> reached = simulate(part, level, settings, {});
+        for (std::size_t i = 0; i < part.count(); ++i)
+          add(reached.data() + i * tree_.pieces.size(), works, all[level][first + i]);
+      }
     });
     return all;
   }
@@ -174,13 +193,13 @@ class Model {
 
   static double cost(const std::vector<double>& costs, Reached reached) {
     double worst = 0;
-    for (std::size_t i = 0; i < costs.size(); ++i)
+    for (std::size_t i = 0; i < costs.size() && reached >> i != 0; ++i)
       if ((reached >> i & 1) != 0) worst = std::max(worst, costs[i]);
     return worst;
   }
 
-  void add(std::size_t room, std::size_t item, Brakes brakes) {
-    Outcome& outcome = outcomes_[{room, item}][static_cast<std::size_t>(brakes)];
+  void prepare(std::size_t room, std::size_t item, Brakes brakes) {
+    Outcome& outcome = outcomes_[room][item][static_cast<std::size_t>(brakes)];
     const Room& of = hospital_.rooms[room];
     if (!outcome) outcome = source_.outcome(of.items[item], hospital_.storeys[of.storey], brakes);
   }
@@ -188,32 +207,32 @@ class Model {
   double normal(std::uint64_t stream, std::size_t sample) const {
     return normal_draw(request_.seed, stream, sample);
   }
+  double uniform(std::uint64_t stream, std::size_t sample) const {
+    return uniform_draw(request_.seed, stream, sample);
+  }
+  static std::uint64_t stream_of(std::size_t piece) { return kFirstPiece + kOfPiece * piece; }
 
-  Reached reach(std::size_t piece, std::size_t level, std::size_t sample,
-                const MotionSample& motion, const Settings& settings,
-                const Replicate& replicate) const {
+  Reached reach(const Draws& draws, std::size_t i, std::size_t piece, std::size_t level,
+                const Settings& settings, const Replicate& replicate) const {
     const Piece& of = tree_.pieces[piece];
     const Securing& securing = settings[of.room][of.item];
-    const std::uint64_t stream = kFirstPiece + kOfPiece * piece;
     const auto happens = [&](PieceStream which, double chance) {
       return chance >= 1 ||
-             (chance > 0 && uniform_draw(request_.seed, stream + which, sample) < chance);
+             (chance > 0 && uniform(stream_of(piece) + which, draws.first + i) < chance);
     };
     if (happens(kTether, securing.tether_holds)) return 0;
     const Brakes brakes = happens(kBraked, securing.share) ? securing.brakes : Brakes::kOff;
-    const Outcome& outcome = outcomes_.at({of.room, of.item})[static_cast<std::size_t>(brakes)];
-    const PieceSample own =
-        source_.records() > 0 ? PieceSample{0, uniform_draw(request_.seed, stream + kDraw, sample)}
-                              : PieceSample{normal(stream + kCapacity, sample), 0};
-    return outcome(level, motion, own, replicate);
+    const Outcome& outcome = outcomes_[of.room][of.item][static_cast<std::size_t>(brakes)];
+    return outcome(level, draws.motions[i], draws.pieces[i * tree_.pieces.size() + piece],
+                   replicate);
   }
 
   const Hospital& hospital_;
   const OutcomeSource& source_;
   const HospitalRequest& request_;
   HospitalTree tree_;
-  std::vector<std::vector<std::vector<double>>> costs_;  ///< of room, item, state
-  std::map<std::pair<std::size_t, std::size_t>, std::array<Outcome, 3>> outcomes_;
+  std::vector<std::vector<double>> costs_;                     ///< of piece, state
+  std::vector<std::vector<std::array<Outcome, 3>>> outcomes_;  ///< of room, item, brakes
 };
 
 /// One action on one group of pieces, and its outcome.
@@ -254,8 +273,9 @@ class Answering {
     answer.money = consequences_.money();
     rank(answer);
     replicate(answer);
-    for (std::size_t level = 0; level < hospital_.levels.size(); ++level)
-      answer.levels.push_back(at_level(level));
+    const std::vector<std::vector<Row>> rows = model_.rows(stated_);
+    for (std::size_t level = 0; level < rows.size(); ++level)
+      answer.levels.push_back(at_level(level, rows[level]));
     if (request_.results.empty()) add_extremes(answer);
     if (hospital_.hazard) answer.annual = annual();
     answer.cautions = cautions();
@@ -321,17 +341,15 @@ class Answering {
     return objective_ < kFirstService ? row[objective_] : 1 - row[objective_];
   }
 
-  Window ranking_window() const { return {ranked_level_, 0, request_.samples}; }
-
   /// The action that gains most for its cost, again and again, each on top of those before it.
   void rank(HospitalAnswer& answer) {
     answer.ranked_at = hospital_.levels[ranked_level_];
     answer.ranked_by = ranked_by_;
     if (candidates_.empty()) return;
-    const Window window = ranking_window();
+    const Draws draws = model_.draws(0, request_.samples);
     Settings settings = stated_;
-    std::vector<Reached> reached = model_.simulate(window, settings, {});
-    Row now = model_.means(reached, window.count);
+    std::vector<Reached> reached = model_.simulate(draws, ranked_level_, settings, {});
+    Row now = model_.means(reached, draws.count());
     answer.before = objective(now);
     std::vector<std::size_t> left(candidates_.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
@@ -339,7 +357,7 @@ class Answering {
     while (!left.empty()) {
       std::vector<Row> after(left.size());
       parallel_for(left.size(), request_.threads, [&](std::size_t i) {
-        after[i] = with(candidates_[left[i]], window, settings, reached).second;
+        after[i] = with(candidates_[left[i]], draws, settings, reached).second;
       });
       const std::size_t best = best_of(left, now, after);
       const Candidate& chosen = candidates_[left[best]];
@@ -348,7 +366,7 @@ class Answering {
       answer.ranking.push_back(ranked(chosen, now, after[best], taken));
       order_.push_back({left[best], taken});
       if (taken) {
-        reached = with(chosen, window, settings, reached).first;
+        reached = with(chosen, draws, settings, reached).first;
         settings[chosen.room][chosen.item] = secured(chosen, settings[chosen.room][chosen.item]);
         now = after[best];
       }
@@ -356,12 +374,12 @@ class Answering {
     }
   }
 
-  std::pair<std::vector<Reached>, Row> with(const Candidate& candidate, const Window& window,
+  std::pair<std::vector<Reached>, Row> with(const Candidate& candidate, const Draws& draws,
                                             Settings settings, std::vector<Reached> reached) const {
     Securing& securing = settings[candidate.room][candidate.item];
     securing = secured(candidate, securing);
-    model_.renew(window, settings, replicate_, candidate.pieces, reached);
-    Row row = model_.means(reached, window.count);
+    model_.renew(draws, ranked_level_, settings, {}, candidate.pieces, reached);
+    Row row = model_.means(reached, draws.count());
     return {std::move(reached), std::move(row)};
   }
 
@@ -413,30 +431,30 @@ class Answering {
     std::vector<std::vector<double>> gains(order_.size(), std::vector<double>(kReplicates));
     parallel_for(kReplicates, request_.threads, [&](std::size_t number) {
       const Replicate of = replicate_of(number);
+      const Draws draws =
+          model_.draws(request_.samples + number * kSamplesOfReplicate, kSamplesOfReplicate);
       for (std::size_t level = 0; level < means_.size(); ++level) {
-        const Window window{level, request_.samples + number * kSamplesOfReplicate,
-                            kSamplesOfReplicate};
-        std::vector<Reached> reached = model_.simulate(window, stated_, of);
-        means_[level][number] = model_.means(reached, window.count);
-        if (level == ranked_level_) add_gains(window, of, number, std::move(reached), gains);
+        std::vector<Reached> reached = model_.simulate(draws, level, stated_, of);
+        means_[level][number] = model_.means(reached, draws.count());
+        if (level == ranked_level_) add_gains(draws, of, number, std::move(reached), gains);
       }
     });
     for (std::size_t i = 0; i < order_.size(); ++i)
       answer.ranking[i].gain = around(answer.ranking[i].gain.value, gains[i]);
   }
 
-  void add_gains(const Window& window, const Replicate& of, std::size_t number,
+  void add_gains(const Draws& draws, const Replicate& of, std::size_t number,
                  std::vector<Reached> reached, std::vector<std::vector<double>>& gains) const {
     Settings settings = stated_;
-    double now = objective(means_[window.level][number]);
+    double now = objective(means_[ranked_level_][number]);
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const Candidate& candidate = candidates_[order_[i].first];
       Settings changed = settings;
       Securing& securing = changed[candidate.room][candidate.item];
       securing = secured(candidate, securing);
       std::vector<Reached> after = reached;
-      model_.renew(window, changed, of, candidate.pieces, after);
-      const double then = objective(model_.means(after, window.count));
+      model_.renew(draws, ranked_level_, changed, of, candidate.pieces, after);
+      const double then = objective(model_.means(after, draws.count()));
       gains[i][number] = now - then;
       if (!order_[i].second) continue;
       settings = std::move(changed);
@@ -458,8 +476,7 @@ class Answering {
     return around(value, replicates);
   }
 
-  LevelAnswer at_level(std::size_t level) {
-    const std::vector<Row> rows = model_.rows({level, 0, request_.samples}, stated_);
+  LevelAnswer at_level(std::size_t level, const std::vector<Row>& rows) {
     Row mean(model_.columns(), 0);
     std::vector<double> beds, loss;
     for (const Row& row : rows) {
@@ -494,15 +511,15 @@ class Answering {
       const auto source = curve_outcomes(hospital_, consequences_, together ? 1 : 0);
       Model model(hospital_, consequences_, *source, request_);
       model.prepare(stated_);
-      for (std::size_t level = 0; level < answer.levels.size(); ++level) {
-        const auto rows = model.rows({level, 0, request_.samples}, stated_);
+      const std::vector<std::vector<Row>> rows = model.rows(stated_);
+      for (std::size_t level = 0; level < rows.size(); ++level)
         for (std::size_t i = 0; i < hospital_.services.size(); ++i) {
           double works = 0;
-          for (const Row& row : rows) works += row[kFirstService + i];
+          for (const Row& row : rows[level]) works += row[kFirstService + i];
           ServiceAnswer& of = answer.levels[level].services[i];
-          (together ? of.dependent : of.independent) = works / static_cast<double>(rows.size());
+          (together ? of.dependent : of.independent) =
+              works / static_cast<double>(request_.samples);
         }
-      }
     }
   }
 
@@ -557,7 +574,6 @@ class Answering {
   std::vector<std::pair<std::size_t, bool>> order_;  ///< candidate, and whether it is taken
   std::size_t objective_ = 0, ranked_level_ = 0;
   std::string ranked_by_;
-  Replicate replicate_;                  ///< the runs as they are
   std::vector<std::vector<Row>> means_;  ///< of level, replicate
   std::vector<Row> found_;               ///< of level
 };
