@@ -81,6 +81,8 @@ def simulate_many(cases: Iterable[Mapping[str, Any]], *, threads: int | None = N
 
     def run_case(number: int) -> Run:
         case = {key: value for key, value in given[number].items() if key != "label"}
+        if "item" not in case:
+            raise InputError(f"cases[{number}]: item is missing, got {sorted(map(str, case))}")
         try:
             return simulate(**case)
         except (InputError, TypeError) as error:

@@ -137,7 +137,7 @@ class ManyRuns(InFolder):
         for threads in (0, "2", True):
             with self.assertRaisesRegex(gurney.InputError, "threads = .*1 or more"):
                 gurney.simulate_many([], threads=threads)
-        for wrong, message in (({"item": "icu_beds"}, "cases.1.: .*icu_bed"), ({"itm": "icu_bed"}, "cases.1.: .*'item'")):
+        for wrong, message in (({"item": "icu_beds"}, "cases.1.: .*icu_bed"), ({"itm": "icu_bed"}, "cases.1.: item is missing, got .'itm'")):
             with self.assertRaisesRegex(gurney.InputError, message):
                 gurney.simulate_many([{"item": "icu_bed", "settings": {"duration_s": 0.1}}, wrong])
 
