@@ -1,9 +1,10 @@
 #include "engine/base/number_text.h"
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <cctype>
-#include <charconv>
+#include <cmath>
 
 namespace gurney {
 
@@ -11,6 +12,16 @@ namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_sign(char c) { return c == '+' || c == '-'; }
+
+/// The longest finite number at the start of `text`, and its end. fast_float, for libc++ reads no
+/// double by std::from_chars; its newer versions call what rounds to zero out of range.
+std::optional<double> leading_number(std::string_view text, const char*& end) {
+  double value = 0;
+  const auto read = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  end = read.ptr;
+  if (read.ec == std::errc::invalid_argument || !std::isfinite(value)) return {};
+  return value;
+}
 
 /// The number of a mantissa that ends before the D of its exponent, `-03` of `1.5D-03`; `rest`
 /// begins with the D and is shortened. Nothing if there is no such exponent.
@@ -22,9 +33,9 @@ std::optional<double> with_d_exponent(std::string_view mantissa, std::string_vie
   while (end < rest.size() && is_digit(rest[end])) ++end;
   if (end == digits) return {};
   const std::string text = fmt::format("{}e{}", mantissa, rest.substr(1, end - 1));
-  double value = 0;
-  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) return {};
-  rest.remove_prefix(end);
+  const char* stop = nullptr;
+  const auto value = leading_number(text, stop);
+  if (value) rest.remove_prefix(end);
   return value;
 }
 
@@ -39,16 +50,16 @@ std::string_view trimmed(std::string_view text) {
 std::optional<double> take_number(std::string_view& text) {
   std::string_view digits = text;
   if (!digits.empty() && is_sign(digits[0])) digits.remove_prefix(1);
-  // from_chars would take "inf", "nan" and a second minus.
+  // fast_float would take "inf", "nan" and a second minus.
   if (digits.empty() || !(is_digit(digits[0]) || digits[0] == '.')) return {};
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc()) return {};
+  const char* end = nullptr;
+  auto value = leading_number(digits, end);
+  if (!value) return {};
   const bool negative = text[0] == '-';
   const auto length = static_cast<std::size_t>(end - digits.data());
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  value = with_d_exponent(digits.substr(0, length), text).value_or(value);
-  return negative ? -value : value;
+  value = with_d_exponent(digits.substr(0, length), text).value_or(*value);
+  return negative ? -*value : *value;
 }
 
 std::optional<double> number(std::string_view text) {

@@ -1,9 +1,11 @@
 #include "groundmotions/record/source_facts.h"
 
-#include <charconv>
 #include <initializer_list>
 #include <optional>
+#include <string_view>
 #include <utility>
+
+#include "engine/base/number_text.h"
 
 namespace gurney::groundmotions {
 namespace {
@@ -16,10 +18,8 @@ std::optional<double> first_number(const std::string& text) {
   if (at == std::string::npos) return {};
   if (at > 0 && text[at - 1] == '.') --at;
   if (at > 0 && text[at - 1] == '-') --at;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), value);
-  if (error != std::errc()) return {};
-  return value;
+  std::string_view rest = std::string_view(text).substr(at);
+  return take_number(rest);
 }
 
 /// The first of the sources that states one of the names, with a number in (low, high).

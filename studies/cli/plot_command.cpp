@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/number_text.h"
 #include "engine/base/shell_word.h"
 #include "engine/config/nearest_name.h"
 #include "studies/analysis/configuration_view.h"
@@ -315,13 +315,11 @@ constexpr double kPagePoints = 8.25, kPxPerMm = 96 / 25.4;
 double points_of(const std::string& text) {
   constexpr double kSmallest = 4, kLargest = 40;
   if (text.empty()) return kPagePoints;
-  double points = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
-  const std::string unit(end, text.data() + text.size());
-  require_usage(error == std::errc() && (unit.empty() || unit == "pt") && points >= kSmallest &&
-                    points <= kLargest,
+  std::string_view unit = text;
+  const auto points = take_number(unit);
+  require_usage(points >= kSmallest && points <= kLargest && (unit.empty() || unit == "pt"),
                 fmt::format("--font-size {}: must be {} to {} pt", text, kSmallest, kLargest));
-  return points;
+  return *points;
 }
 
 /// A smaller text leaves a wider page.

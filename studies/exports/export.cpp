@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -13,6 +12,7 @@
 #include <string_view>
 
 #include "engine/base/error.h"
+#include "engine/base/number_text.h"
 #include "engine/base/printable.h"
 #include "engine/base/unit_table.h"
 #include "equipment/catalogue/uncertainty.h"
@@ -24,18 +24,10 @@
 namespace gurney::study {
 namespace {
 
-bool is_number(const std::string& text) {
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const auto [stop, failed] = std::from_chars(begin, end, value);
-  return failed == std::errc() && stop == end;
-}
-
 /// A spreadsheet computes a cell that begins so; an apostrophe makes it text.
 bool is_formula(const std::string& text) {
   return !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos &&
-         !is_number(text);
+         !number(text);
 }
 
 std::string quoted_where_needed(const std::string& text) {

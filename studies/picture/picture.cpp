@@ -7,12 +7,12 @@
 #include <librsvg/rsvg.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include "engine/base/error.h"
+#include "engine/base/number_text.h"
 
 namespace gurney::picture {
 namespace {
@@ -239,12 +239,11 @@ double length_in_mm(const std::string& text) {
        {"in", kMmPerInch},
        {"pt", kMmPerInch / kPointsPerInch},
        {"px", kMmPerInch / kPxPerInch}}};
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const std::string unit(end, text.data() + text.size());
+  std::string_view unit = text;
+  const auto number = take_number(unit);
   for (const auto& [name, mm] : kUnits) {
-    if (error != std::errc() || unit != name) continue;
-    const double length = number * mm;
+    if (!number || unit != name) continue;
+    const double length = *number * mm;
     require(length >= kNarrowestMm && length <= kWidestMm,
             fmt::format("width {}: must be {} mm to {} mm", text, kNarrowestMm, kWidestMm));
     return length;

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <sstream>
 
+#include "engine/base/number_text.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/unit_limit.h"
@@ -72,15 +71,6 @@ void read_locked(Facts& facts, TrialSetup& setup) {
 
 }  // namespace
 
-std::optional<double> number_in(const std::string& text) {
-  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* const end = text.data() + text.size();
-  double value = 0;
-  const auto [stop, failed] = std::from_chars(begin, end, value);
-  if (failed != std::errc() || stop != end || !std::isfinite(value)) return {};
-  return value;
-}
-
 std::string not_a_number(const std::string& key, const std::string& text) {
   return fmt::format("{} = \"{}\": must be a number{}", key, text,
                      text.find(';') != std::string::npos
@@ -114,7 +104,7 @@ double Facts::number(const std::string& key, const config::Range& range,
                      std::optional<double> fallback) {
   const TextCell* cell = find(key, !fallback);
   if (cell == nullptr) return fallback.value_or(1);
-  const std::optional<double> value = number_in(cell->text);
+  const std::optional<double> value = gurney::number(cell->text);
   if (!value)
     errors_->note(*cell, not_a_number(key, cell->text));
   else
@@ -145,7 +135,7 @@ std::vector<double> Facts::numbers(const std::string& key, const config::Range& 
   if (cell == nullptr) return values;
   std::istringstream words(cell->text);
   for (std::string word; words >> word;) {
-    const std::optional<double> value = number_in(word);
+    const std::optional<double> value = gurney::number(word);
     if (!value)
       errors_->note(*cell, not_a_number(key, word));
     else

@@ -48,9 +48,6 @@ class Facts {
   std::set<std::string> asked_;
 };
 
-/// The number that a cell is, or nothing. Decimal point, no infinities.
-std::optional<double> number_in(const std::string& text);
-
 /// Message for a cell that is no number.
 std::string not_a_number(const std::string& key, const std::string& text);
 

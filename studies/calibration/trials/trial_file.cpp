@@ -10,6 +10,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "engine/base/number_text.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/unit_limit.h"
@@ -100,7 +101,7 @@ void read_samples(const CsvText& text, Trial& trial, CsvErrors& errors) {
     trial.lines.push_back(row[0].line);
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (found[i] == nullptr) continue;
-      const std::optional<double> value = number_in(row[i].text);
+      const std::optional<double> value = number(row[i].text);
       if (!value && !row[i].text.empty())
         errors.note(row[i], not_a_number(found[i]->name, row[i].text));
       if (const std::string allowed =

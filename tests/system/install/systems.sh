@@ -49,12 +49,12 @@ tool fedora rpm '[ "$3" = cmake ]'
 tool fedora dnf 'if [ "$2" = repoquery ] && [ "${*: -1}" != Random123-devel ]; then echo "${*: -1}"; fi'
 setup 0 "docs/install.md): libbullet-dev librandom123-dev (Random123-devel) librapidcheck-dev" fedora
 asked "dnf install -y -q --setopt=install_weak_deps=False boost-devel cairo-devel cli11-devel eigen3-devel \
-fmt-devel gcc-c++ git gmock-devel google-benchmark-devel gtest-devel hdf5-devel json-devel librsvg2-devel \
+fast_float-devel fmt-devel gcc-c++ git gmock-devel google-benchmark-devel gtest-devel hdf5-devel json-devel librsvg2-devel \
 ninja-build openssl-devel pkgconf-pkg-config tomlplusplus-devel"
 
 tool arch pacman '[ "$1" != -T ] || [ "$2" = cmake ]'
 setup 0 "dev: installing benchmark boost bullet-dp" arch
-asked "pacman -S --noconfirm --needed benchmark boost bullet-dp cairo cli11 eigen fmt gcc git gtest hdf5 librsvg \
+asked "pacman -S --noconfirm --needed benchmark boost bullet-dp cairo cli11 eigen fast_float fmt gcc git gtest hdf5 librsvg \
 ninja nlohmann-json openssl pkgconf random123 rapidcheck tomlplusplus"
 mv arch manjaro
 setup 0 "dev: installing benchmark boost bullet-dp" manjaro arch

@@ -32,6 +32,7 @@ class Gurney(CMakePackage):
     depends_on("cairo@1.16:+pdf+png")
     depends_on("cli11")
     depends_on("eigen@3.4:")
+    depends_on("fast-float")
     depends_on("fmt@9:")
     depends_on("hdf5+hl~mpi")
     depends_on("librsvg@2.54:")
