@@ -46,6 +46,8 @@ std::size_t find_control_character(std::string_view text) {
 }
 
 std::string printable(std::string_view text) {
+  const auto is_plain = [](char c) { return ' ' <= c && c <= '~'; };
+  if (std::ranges::all_of(text, is_plain)) return std::string(text);
   std::string result;
   while (!text.empty()) {
     const std::size_t length = utf8_length(text), bytes = std::max<std::size_t>(length, 1);

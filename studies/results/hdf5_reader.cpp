@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 #include <hdf5_hl.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <set>
 #include <string_view>
+#include <tuple>
 
 #include "engine/base/error.h"
 #include "engine/base/files_read.h"
@@ -253,6 +257,31 @@ std::set<std::string> files_without_checksum() {
   return without_checksum().paths;
 }
 
+namespace {
+
+/// Device, number, size and time of a file: written again, it is another.
+using Written = std::tuple<dev_t, ino_t, off_t, time_t, long>;
+
+std::optional<Written> written(const std::string& path) {
+  struct stat of {};
+  if (::stat(path.c_str(), &of) != 0) return {};
+  return Written(of.st_dev, of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
+}
+
+/// Checks the bytes of a file once, as most commands open it several times.
+void check_bytes(const std::string& path, const std::function<void()>& read) {
+  static std::mutex mutex;
+  static std::set<Written> passed;
+  const std::optional<Written> now = written(path);
+  const std::lock_guard lock(mutex);
+  if (now && passed.contains(*now)) return;
+  if (!hdf5::check_seal(path)) note_without_checksum(path);
+  hdf5::probe(path, read);
+  if (now) passed.insert(*now);
+}
+
+}  // namespace
+
 Hdf5Reader::Hdf5Reader(const std::string& path) : Hdf5Reader(path, Probed::kNo) {}
 
 Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
@@ -264,8 +293,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
     require(std::ifstream(path).is_open(), path + ": cannot be read");
     require(H5Fis_hdf5(path.c_str()) > 0,
             path + ": is not a results file of gurney (no HDF5 file)");
-    if (!hdf5::check_seal(path)) note_without_checksum(path);
-    hdf5::probe(path, [&] { Hdf5Reader(path, Probed::kYes).read_all(); });
+    check_bytes(path, [&] { Hdf5Reader(path, Probed::kYes).read_all(); });
   }
   file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path);
   try {

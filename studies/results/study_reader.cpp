@@ -54,10 +54,12 @@ void StudyReader::check_indices() const {
   const auto check = [&](const std::string& column, double low, double end) {
     if (!columns_.contains(column)) return;
     const std::vector<double> values = numbers(column);
-    for (std::size_t row = 0; row < values.size(); ++row)
-      require(values[row] >= low && values[row] < end && values[row] == std::floor(values[row]),
-              fmt::format("{}: /{}[{}] = {}: must be a whole number >= {} and < {}", path_, column,
-                          row, values[row], low, end));
+    const auto wrong = std::ranges::find_if_not(values, [&](double value) {
+      return value >= low && value < end && value == std::floor(value);
+    });
+    if (wrong != values.end())
+      throw Error(fmt::format("{}: /{}[{}] = {}: must be a whole number >= {} and < {}", path_,
+                              column, wrong - values.begin(), *wrong, low, end));
   };
   const auto rows = [&](const std::string& table) {  // nobody can look up one that is absent
     const auto found = rows_.find(table);
