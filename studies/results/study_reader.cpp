@@ -79,8 +79,9 @@ void StudyReader::check_indices() const {
   check("motions/set", 0, kMaxDraws);
   for (const char* column : {"runs/scale", "runs/intensity", "runs/angle"}) {
     if (!columns_.contains(column)) continue;
-    for (const double value : numbers(column))
-      require(std::isfinite(value), fmt::format("{}: /{} must be finite", path_, column));
+    const auto is_finite = [](double value) { return std::isfinite(value); };
+    require(std::ranges::all_of(numbers(column), is_finite),
+            fmt::format("{}: /{} must be finite", path_, column));
   }
   check_record_sets();
   check_items();
