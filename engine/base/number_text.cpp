@@ -13,13 +13,16 @@ namespace {
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_sign(char c) { return c == '+' || c == '-'; }
 
-/// The longest finite number at the start of `text`, and its end. fast_float, for libc++ reads no
-/// double by std::from_chars; its newer versions call what rounds to zero out of range.
+/// The longest number at the start of `text`, and its end; nothing beyond the range of double, which
+/// older versions of fast_float return as infinity or zero. libc++ reads no double by std::from_chars.
 std::optional<double> leading_number(std::string_view text, const char*& end) {
   double value = 0;
   const auto read = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   end = read.ptr;
-  if (read.ec == std::errc::invalid_argument || !std::isfinite(value)) return {};
+  if (read.ec != std::errc() || !std::isfinite(value)) return {};
+  const std::string_view taken = text.substr(0, static_cast<std::size_t>(end - text.data()));
+  const std::string_view mantissa = taken.substr(0, taken.find_first_of("eE"));
+  if (value == 0 && mantissa.find_first_of("123456789") != std::string_view::npos) return {};
   return value;
 }
 

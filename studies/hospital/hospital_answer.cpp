@@ -96,7 +96,7 @@ class Model {
     return reached;
   }
 
-  /// The same anew for some pieces, whose setting has changed.
+  /// States anew of some pieces, whose setting has changed.
   void renew(const Draws& draws, std::size_t level, const Settings& settings,
              const Replicate& replicate, const std::vector<std::size_t>& pieces,
              std::vector<Reached>& reached) const {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "tests/support/error_text.h"
 
 namespace gurney::groundmotions {
@@ -27,8 +29,11 @@ TEST(Number, TakesDecimalsAndNothingElse) {
   EXPECT_EQ(number("1.5D+03"), 1500);
   EXPECT_EQ(number("-.25d-1"), -0.025);
   EXPECT_EQ(number("2D2"), 200);
-  for (const char* text : {"1D", "1.5D+", "1e5D3", "1D999", "1DT", "", "-", "+-1", "--1", "nan",
-                           "inf", "-Infinity", "0x10", "1,5", "1e999", "1e", "1 2", "****"})
+  EXPECT_EQ(number("5e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(number("0.0e-999"), 0);
+  for (const char* text :
+       {"1D",  "1.5D+",     "1e5D3", "1D999", "1DT",   "",       "-",      "+-1", "--1", "nan",
+        "inf", "-Infinity", "0x10",  "1,5",   "1e999", "1e-400", "1D-999", "1e",  "1 2", "****"})
     EXPECT_FALSE(number(text)) << text;
 }
 
