@@ -86,10 +86,7 @@ wait_until() {  # SECONDS COMMAND...
 }
 all_idle() { [ "$(sinfo -h -o '%D %t' 2> /dev/null)" = "3 idle" ]; }
 none_left() { [ -z "$(squeue -h 2> /dev/null)" ]; }
-part_of_node_2() {  # the shard that runs on node 2 has written a part
-  shard=$(squeue -h -t running -w gurney2 -o %K 2> /dev/null)
-  [ -n "$shard" ] && [ -e "study.h5.shards/$shard-of-9/00000001.part" ]
-}
+held() { [ -s held_shard ]; }
 for _ in $(seq 60); do
   all_idle && break
   sleep 1
@@ -108,7 +105,7 @@ duration_s = 60
 [study]
 synthetic_records = 6
 angles_deg = [0, 45, 90]
-draws = 8
+draws = 20
 [study.intensity]
 measure = "PGA"
 component = "larger"
@@ -118,9 +115,24 @@ TOML
 "$gurney" run study.toml -o one.h5 -j 1 > one.out 2>&1 || fail "the undisturbed study"
 cp one.h5 reference.h5
 
-"$gurney" submit study.toml --slurm --shards 9 --time 10 -o study.h5 --program "$gurney" || fail "submit"
+# Node 2 holds its first shard that has written a part and is not finished, however fast it runs.
+mkdir program
+cat > program/gurney <<PROGRAM
+#!/usr/bin/env bash
+"$gurney" "\$@" &
+if [ "\$SLURMD_NODENAME" = gurney2 ] && [ ! -e "$folder/held_shard" ]; then
+  part=$folder/study.h5.shards/\$SLURM_ARRAY_TASK_ID-of-9/00000001.part
+  until [ -e "\$part" ] || ! kill -0 \$!; do sleep 0.02; done
+  kill -STOP \$! && echo "\$SLURM_ARRAY_TASK_ID" > "$folder/held_shard"
+fi
+wait \$!
+PROGRAM
+chmod +x program/gurney
+
+"$gurney" submit study.toml --slurm --shards 9 --time 10 -o study.h5 --program "$folder/program/gurney" || fail "submit"
 sbatch study.sbatch || fail "sbatch"
-if wait_until 600 part_of_node_2; then
+if wait_until 600 held; then
+  shard=$(cat held_shard)
   echo "killing node gurney2 in shard $shard"
   id=$(squeue -h -t running -w gurney2 -o %A)
   kill -9 "${node[2]}"
