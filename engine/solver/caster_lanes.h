@@ -55,7 +55,8 @@ class CasterLanes {
     std::array<Lanes, 36> matrix;     ///< -B E^-1 C, by columns
     std::array<Lanes, 8> right_side;  ///< B E^-1 q; the last two are zero
   };
-  void eliminate();
+  void eliminate();           ///< the matrix; it serves the residuals of later velocities too
+  void eliminate_residual();  ///< the right side
   const Elimination& elimination() const { return elimination_; }
   /// Adds Newton's step y of the joints that goes with x of the chassis.
   void apply(const Vector6& step, Velocity& v) const;
@@ -124,6 +125,7 @@ class CasterLanes {
   std::array<Lanes, 2> joint_residual_{};                     // q
   std::array<std::array<Lanes, 2>, 2> joints_{}, inverse_{};  // E, E^-1, by columns
   JointVectors chassis_joints_{}, joints_chassis_{};          // columns of B, rows of C
+  JointVectors taken_{};                                      // columns of B E^-1
   std::array<Lanes, 12> on_chassis_{};
   Elimination elimination_;
   LaneMask kept_{};

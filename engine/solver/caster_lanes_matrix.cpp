@@ -61,18 +61,22 @@ void CasterLanes::eliminate() {
   const auto taken = [&](std::size_t k) {  // a column of B E^-1
     return mul_add(inverse_[k][1], b[1], inverse_[k][0] * b[0]);
   };
-  const Vec6<Lanes> b0 = taken(0), b1 = taken(1);
+  const Vec6<Lanes>&b0 = taken_[0] = taken(0), &b1 = taken_[1] = taken(1);
   const std::array<Lanes, 6> c0 = entries(c[0]), c1 = entries(c[1]);
   Elimination& result = elimination_;
   for (std::size_t j = 0; j < 6; ++j)
     std::ranges::copy(entries(-mul_add(c1[j], b1, c0[j] * b0)),
                       result.matrix.begin() + 6 * static_cast<int>(j));
-  std::ranges::copy(entries(mul_add(joint_residual_[1], b1, joint_residual_[0] * b0)),
-                    result.right_side.begin());
   // Casters that touch another item keep their joints in the common system, and take nothing from the chassis here.
   if (!any(kept_)) return;
   for (Lanes& entry : result.matrix) entry = select(kept_, Lanes{}, entry);
-  for (Lanes& entry : result.right_side) entry = select(kept_, Lanes{}, entry);
+}
+
+void CasterLanes::eliminate_residual() {
+  std::ranges::copy(entries(mul_add(joint_residual_[1], taken_[1], joint_residual_[0] * taken_[0])),
+                    elimination_.right_side.begin());
+  if (!any(kept_)) return;
+  for (Lanes& entry : elimination_.right_side) entry = select(kept_, Lanes{}, entry);
 }
 
 void CasterLanes::apply(const Vector6& step, Velocity& v) const {

@@ -145,30 +145,34 @@ void ItemStage::add_joint_slope(int caster, const Matrix36& chassis, const Matri
 }
 
 void ItemStage::eliminate() {
-  right_side_ = -residual_;
   for (const auto& row : load_rows_)
     if (row.slope != 0) matrix_ += tau_ * row.slope * row.direction * row.direction.transpose();
-  // The Schur complement A - B E^-1 C and -r + B E^-1 q of all casters (CasterLanes::matrix).
-  std::array<double, 8> side{};
-  Eigen::Map<Vector6>(side.data()) = right_side_;
+  // The Schur complement A - B E^-1 C of all casters (CasterLanes::matrix).
   for (CasterLanes& lanes : casters_) lanes.eliminate();
   auto matrix = loaded<9>(matrix_.data());
-  auto right_side = loaded<2>(side.data());
-  for (const CasterLanes& lanes : casters_) {
-    const CasterLanes::Elimination& taken = lanes.elimination();
-    add_lanes(taken.matrix.data(), lanes.count(), matrix);
-    add_lanes(taken.right_side.data(), lanes.count(), right_side);
-  }
+  for (const CasterLanes& lanes : casters_)
+    add_lanes(lanes.elimination().matrix.data(), lanes.count(), matrix);
   store(matrix, matrix_.data());
-  store(right_side, side.data());
-  right_side_ = Eigen::Map<Vector6>(side.data());
   for (int dof = 0; dof < 6; ++dof) {
     if (!constrained(dof)) continue;
     // m (v + x) = m v_guide for the step x.
     matrix_.row(dof).setZero();
     matrix_(dof, dof) = mechanism_.total_mass;
-    right_side_[dof] = -residual_[dof];
   }
+}
+
+void ItemStage::eliminate_residual() {
+  // -r + B E^-1 q, but for directions whose equation a guide replaces.
+  std::array<double, 8> side{};
+  Eigen::Map<Vector6>(side.data()) = -residual_;
+  for (CasterLanes& lanes : casters_) lanes.eliminate_residual();
+  auto right_side = loaded<2>(side.data());
+  for (const CasterLanes& lanes : casters_)
+    add_lanes(lanes.elimination().right_side.data(), lanes.count(), right_side);
+  store(right_side, side.data());
+  right_side_ = Eigen::Map<Vector6>(side.data());
+  for (int dof = 0; dof < 6; ++dof)
+    if (constrained(dof)) right_side_[dof] = -residual_[dof];
 }
 
 void ItemStage::apply(const Vector6& step, Velocity& v) const {

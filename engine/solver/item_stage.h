@@ -63,7 +63,8 @@ class ItemStage {
   /// @returns the largest entry as a fraction of M g tau
   double end_forces(const Input& input, const Velocity& v);
 
-  /// K at the last v: begin, add every contact, then eliminate the joints of casters not kept.
+  /// K at the last v: begin, add every contact, then eliminate the joints of casters not kept. Each
+  /// residual, of this v or a later one, is then reduced alike.
   void begin_matrix();
   void keep(int caster) { lanes_of(caster).keep(lane_of(caster)); }
   /// Adds tau J' D J of the chassis; and beside it what a contact on a wheel has, tau D its slope.
@@ -72,6 +73,7 @@ class ItemStage {
   void add_joint_slope(int caster, const Matrix36& chassis, const Matrix32& joints,
                        const Matrix3& slope);
   void eliminate();
+  void eliminate_residual();
 
   /// Applies Newton's step of the chassis, and with it those of the eliminated joints.
   void apply(const Vector6& step, Velocity& v) const;
@@ -81,17 +83,12 @@ class ItemStage {
   const Mechanism& mechanism() const { return mechanism_; }
   const Pose& pose() const { return pose_; }
   bool kept(int caster) const { return lanes_of(caster).kept(lane_of(caster)); }
-  bool keeps_joints() const {
-    for (int caster = 0; caster < static_cast<int>(mechanism_.casters.size()); ++caster)
-      if (kept(caster)) return true;
-    return false;
-  }
   /// The lanes of a caster, and which of them is its.
   const CasterLanes& lanes_of(int caster) const {
     return casters_[static_cast<std::size_t>(caster) / kLanes];
   }
   static std::size_t lane_of(int caster) { return static_cast<std::size_t>(caster) % kLanes; }
-  /// After eliminate(): of the chassis, K and the negative residual.
+  /// After elimination: of the chassis, K and the negative residual.
   const Matrix6& matrix() const { return matrix_; }
   const Vector6& right_side() const { return right_side_; }
   bool constrained(int dof) const;

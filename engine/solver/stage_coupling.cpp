@@ -1,141 +1,175 @@
 #include <algorithm>
-#include <ranges>
+#include <cmath>
 #include <type_traits>
 
+#include "engine/solver/solve6.h"
 #include "engine/solver/stage_solver.h"
 
-// Newton's step of an island of several items: of those that push each other together.
+// Newton's step of an island: of its item, or of all that may push or hold each other together.
 namespace gurney {
-void StageSolver::coupled_steps(const Island& island, double tau, std::vector<Velocity>& v) {
-  // Pairs that may touch in this step and do not have equations of their own. A pair costs as much
-  // either way.
-  for (std::size_t i : island.items) group_of_[i] = island.items.size() > 2 ? i : island.items[0];
-  const auto merge = [&](std::size_t a, std::size_t b) {
-    for (std::size_t i : island.items)
-      if (group_of_[i] == std::max(a, b)) group_of_[i] = std::min(a, b);
-  };
-  for (const JointWork& work : joints_) merge(group_of_[work.base()], group_of_[work.part()]);
-  for (const ContactWork& work : contacts_) {
-    if (!work.pushes() || !work.contact->between_items()) continue;
-    const std::size_t a = group_of_[work.contact->side.item],
-                      b = group_of_[work.contact->other_side.item];
-    merge(a, b);
+namespace {
+
+/// Stages whose lengths differ by less than this part of them begin with the same matrix.
+constexpr double kLikeTau = 0.01;
+
+}  // namespace
+
+void StageSolver::set_matrices(const Input& input) {
+  for (std::size_t i : input.island->items) items_[i].begin_matrix();
+  for (ContactWork& work : contacts_) {
+    if (!work.pushes()) continue;
+    const Matrix3 slope = input.tau * work.slope;
+    work.in_floor_axes = work.frame.transpose() * slope * work.frame;
+    const auto add = [&](const BodyContact::Side& at, const Side& side) {
+      items_[at.item].add_slope(slope_between(work.in_floor_axes, side.point, side.point));
+      if (work.rolls) items_[at.item].add_turning_slope(input.tau * work.rolling.slope);
+      if (at.caster >= 0)
+        items_[at.item].add_joint_slope(at.caster, side.chassis, side.joints, slope);
+    };
+    add(work.contact->side, work.side);
+    if (work.contact->between_items()) add(work.contact->other_side, work.other_side);
   }
-  for (std::size_t first : island.items) {
-    if (group_of_[first] != first) continue;
-    group_.clear();
-    for (std::size_t i : island.items)
-      if (group_of_[i] == first) group_.push_back(i);
-    if (group_.size() == 1 && !items_[first].keeps_joints())
-      single_step(first, v);
-    else
-      coupled_step(group_, tau, v);
+  add_joint_slopes();
+  for (std::size_t i : input.island->items) items_[i].eliminate();
+}
+
+void StageSolver::newton_step(const Input& input, bool anew, std::vector<Velocity>& v) {
+  const std::vector<std::size_t>& island = input.island->items;
+  if (anew) set_matrices(input);
+  for (std::size_t i : island) items_[i].eliminate_residual();
+  if (island.size() == 1) {
+    const ItemStage& item = items_[island.front()];
+    item.apply(solve6(item.matrix(), item.right_side()), v[island.front()]);
+    return;
+  }
+  if (anew) factor(input);
+  Factors& factors = factors_[island.front()];
+  for (std::size_t p = 0; p < island.size(); ++p) {
+    const ItemStage& item = items_[island[p]];
+    auto right_side = factors.system.right_side(block_of_[island[p]]);
+    right_side.head<6>() = item.right_side();
+    for_kept(factors.layouts[p], [&](int j, Eigen::Index at) {
+      right_side.segment<2>(at) = -item.lanes_of(j).joint_residual(ItemStage::lane_of(j));
+    });
+  }
+  factors.system.solve();
+  for (std::size_t p = 0; p < island.size(); ++p) {
+    const std::size_t i = island[p];
+    const auto step = factors.system.right_side(block_of_[i]);
+    items_[i].apply(step.head<6>(), v[i]);
+    for_kept(factors.layouts[p], [&](int j, Eigen::Index at) {
+      v[i].joints[static_cast<std::size_t>(j)] += step.segment<2>(at);
+    });
   }
 }
 
-void StageSolver::coupled_step(const std::vector<std::size_t>& group, double tau,
-                               std::vector<Velocity>& v) {
+StageSolver::Layout StageSolver::layout_of(std::size_t item) const {
+  Layout layout;
+  for (std::size_t j = 0; j < assembly_.items[item].casters.size(); ++j) {
+    if (!items_[item].kept(static_cast<int>(j))) continue;
+    layout.joints[j] = layout.size;
+    layout.size += 2;
+  }
+  return layout;
+}
+
+bool StageSolver::has_factors(const Input& input) {
+  const std::vector<std::size_t>& island = input.island->items;
+  const Factors& factors = factors_[island.front()];
+  if (island.size() == 1 || factors.items != island) return false;
+  if (std::abs(factors.tau - input.tau) > kLikeTau * input.tau) return false;
+  for (std::size_t p = 0; p < island.size(); ++p) block_of_[island[p]] = island.size() - 1 - p;
+  return std::ranges::equal(island, factors.layouts, {},
+                            [&](std::size_t i) { return layout_of(i); });
+}
+
+void StageSolver::factor(const Input& input) {
+  const std::vector<std::size_t>& island = input.island->items;
+  Factors& factors = factors_[island.front()];
+  BlockSystem& system = factors.system;
+  factors.items = island;
+  factors.tau = input.tau;
+  factors.layouts.clear();
+  for (std::size_t i : island) factors.layouts.push_back(layout_of(i));
   // Items that hang or stand on others come later in the scene and are eliminated first.
-  system_.clear();
-  for (std::size_t i : std::views::reverse(group)) {
-    Place& place = places_[i];
-    Eigen::Index size = 6;
-    for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
-      if (!items_[i].kept(static_cast<int>(j))) continue;
-      place.joints[j] = size;
-      size += 2;
-    }
-    place.block = system_.add_block(size);
-  }
-  system_.set_zero();
-  for (std::size_t i : group) {
-    const ItemStage& item = items_[i];
-    const Place& place = places_[i];
-    auto K = system_.block(place.block, place.block);
-    auto right_side = system_.right_side(place.block);
+  system.clear();
+  for (std::size_t p = island.size(); p-- > 0;)
+    block_of_[island[p]] = system.add_block(factors.layouts[p].size);
+  system.set_zero();
+  for (std::size_t p = 0; p < island.size(); ++p) {
+    const ItemStage& item = items_[island[p]];
+    const std::size_t own = block_of_[island[p]];
+    auto K = system.block(own, own);
     K.topLeftCorner<6, 6>() = item.matrix();
-    right_side.head<6>() = item.right_side();
-    for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j) {
-      if (!item.kept(static_cast<int>(j))) continue;
-      const CasterLanes& lanes = item.lanes_of(static_cast<int>(j));
-      const std::size_t lane = ItemStage::lane_of(static_cast<int>(j));
-      const Eigen::Index joint = place.joints[j];
-      K.block<2, 2>(joint, joint) = lanes.joints(lane);
-      K.block<6, 2>(0, joint) = lanes.chassis_joints(lane);
-      K.block<2, 6>(joint, 0) = lanes.joints_chassis(lane);
-      right_side.segment<2>(joint) = -lanes.joint_residual(lane);
-    }
+    for_kept(factors.layouts[p], [&](int j, Eigen::Index at) {
+      const CasterLanes& lanes = item.lanes_of(j);
+      const std::size_t lane = ItemStage::lane_of(j);
+      K.block<2, 2>(at, at) = lanes.joints(lane);
+      K.block<6, 2>(0, at) = lanes.chassis_joints(lane);
+      K.block<2, 6>(at, 0) = lanes.joints_chassis(lane);
+    });
   }
-  for (const ContactWork& work : contacts_) {
-    if (!work.contact->between_items() || !work.pushes()) continue;
-    if (group_of_[work.contact->side.item] == group.front()) couple(work, tau);
-  }
-  for (const JointWork& work : joints_)
-    if (group_of_[work.part()] == group.front()) couple(work, tau);
+  for (const ContactWork& work : contacts_)
+    if (work.contact->between_items() && work.pushes()) couple(work, factors);
+  for (const JointWork& work : joints_) couple(work, factors);
   // Couplings have filled the rows of guided directions again.
-  for (std::size_t i : group)
+  for (std::size_t i : island)
     for (int dof = 0; dof < 6; ++dof) {
       if (!items_[i].constrained(dof)) continue;
-      const std::size_t own = places_[i].block;
-      for (std::size_t other = 0; other < system_.count(); ++other)
-        if (system_.coupled(own, other)) system_.block(own, other).row(dof).setZero();
-      system_.block(own, own)(dof, dof) = assembly_.items[i].total_mass;
+      const std::size_t own = block_of_[i];
+      for (std::size_t other = 0; other < system.count(); ++other)
+        if (system.coupled(own, other)) system.block(own, other).row(dof).setZero();
+      system.block(own, own)(dof, dof) = assembly_.items[i].total_mass;
     }
-  system_.solve();
-  for (std::size_t i : group) {
-    const auto step = system_.right_side(places_[i].block);
-    items_[i].apply(step.head<6>(), v[i]);
-    for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
-      if (items_[i].kept(static_cast<int>(j)))
-        v[i].joints[j] += step.segment<2>(places_[i].joints[j]);
-  }
+  system.factor();
 }
 
 /// A contact of two items acts by u = J_a v_a - J_b v_b: beside their own blocks K has -tau J_a' D J_b and
 /// -tau J_b' D J_a.
-void StageSolver::couple(const ContactWork& work, double tau) {
+void StageSolver::couple(const ContactWork& work, Factors& factors) {
   const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
-  const Place &pa = places_[a.item], &pb = places_[b.item];
-  system_.couple(pa.block, pb.block);
-  auto K_ab = system_.block(pa.block, pb.block), K_ba = system_.block(pb.block, pa.block);
+  const std::size_t of_a = block_of_[a.item], of_b = block_of_[b.item];
+  factors.system.couple(of_a, of_b);
+  auto K_ab = factors.system.block(of_a, of_b), K_ba = factors.system.block(of_b, of_a);
   K_ab.topLeftCorner<6, 6>() -=
       slope_between(work.in_floor_axes, work.side.point, work.other_side.point);
   K_ba.topLeftCorner<6, 6>() -=
       slope_between(work.in_floor_axes, work.other_side.point, work.side.point);
   if (work.rolls) {
-    const Matrix3 turning = tau * work.rolling.slope;
+    const Matrix3 turning = factors.tau * work.rolling.slope;
     K_ab.block<3, 3>(3, 3) -= turning;
     K_ba.block<3, 3>(3, 3) -= turning;
   }
   if (a.caster < 0 && b.caster < 0) return;
-  const Matrix3 slope = tau * work.slope;
+  const Matrix3 slope = factors.tau * work.slope;
   const auto add = [&](Eigen::Index row, const auto& left, Eigen::Index column, const auto& right) {
     constexpr int kLeft = std::remove_cvref_t<decltype(left)>::ColsAtCompileTime;
     constexpr int kRight = std::remove_cvref_t<decltype(right)>::ColsAtCompileTime;
     K_ab.block<kLeft, kRight>(row, column) -= left.transpose() * (slope * right);
     K_ba.block<kRight, kLeft>(column, row) -= right.transpose() * (slope * left);
   };
-  const auto joint = [](const Place& place, int caster) {
-    return place.joints[static_cast<std::size_t>(caster)];
+  const auto joint = [&](std::size_t block, int caster) {
+    return factors.layouts[factors.items.size() - 1 - block]
+        .joints[static_cast<std::size_t>(caster)];
   };
-  if (a.caster >= 0) add(joint(pa, a.caster), work.side.joints, 0, work.other_side.chassis);
-  if (b.caster >= 0) add(0, work.side.chassis, joint(pb, b.caster), work.other_side.joints);
+  if (a.caster >= 0) add(joint(of_a, a.caster), work.side.joints, 0, work.other_side.chassis);
+  if (b.caster >= 0) add(0, work.side.chassis, joint(of_b, b.caster), work.other_side.joints);
   if (a.caster >= 0 && b.caster >= 0)
-    add(joint(pa, a.caster), work.side.joints, joint(pb, b.caster), work.other_side.joints);
+    add(joint(of_a, a.caster), work.side.joints, joint(of_b, b.caster), work.other_side.joints);
 }
 
 /// A joint has -tau sum of dT/du d_p d_b' there.
-void StageSolver::couple(const JointWork& work, double tau) {
-  const std::size_t part = places_[work.part()].block, base = places_[work.base()].block;
+void StageSolver::couple(const JointWork& work, Factors& factors) {
+  const std::size_t part = block_of_[work.part()], base = block_of_[work.base()];
   Matrix6 slopes = Matrix6::Zero();
   for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
     const JointLaw::Row& row = work.stage.rows.rows[r];
-    const Vector6 scaled = tau * work.forces[r].slope * row.part;
+    const Vector6 scaled = factors.tau * work.forces[r].slope * row.part;
     slopes.noalias() += scaled * row.base.transpose();
   }
-  system_.couple(part, base);
-  system_.block(part, base).topLeftCorner<6, 6>() -= slopes;
-  system_.block(base, part).topLeftCorner<6, 6>() -= slopes.transpose();
+  factors.system.couple(part, base);
+  factors.system.block(part, base).topLeftCorner<6, 6>() -= slopes;
+  factors.system.block(base, part).topLeftCorner<6, 6>() -= slopes.transpose();
 }
 
 }  // namespace gurney

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/base/units.h"
-#include "engine/solver/solve6.h"
 
 namespace gurney {
 namespace {
@@ -14,6 +13,10 @@ namespace {
 /// smooth.
 constexpr double kGeometryTolerance = 1e-3;
 constexpr int kMaxGeometryPasses = 6;
+
+/// A matrix serves again where this many steps with it are expected to settle a stage: each costs a third of one
+/// with a matrix of its own.
+constexpr int kStepsWithOneMatrix = 3;
 
 constexpr int kMaxBacktracks = 6;
 constexpr int kIterationsBeforeBacktracking = 4;
@@ -25,8 +28,8 @@ StageSolver::StageSolver(const Assembly& assembly, const Settings& settings)
       settings_(settings),
       inputs_(assembly.items.size()),
       v_(assembly.items.size()),
-      group_of_(assembly.items.size()),
-      places_(assembly.items.size()) {
+      factors_(assembly.items.size()),
+      block_of_(assembly.items.size()) {
   for (const Mechanism& mechanism : assembly.items) items_.emplace_back(mechanism);
   before_ = full_ = v_;
 }
@@ -70,35 +73,18 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
   return residual;
 }
 
-void StageSolver::newton_step(const Input& input, std::vector<Velocity>& v) {
-  for (std::size_t i : input.island->items) items_[i].begin_matrix();
-  for (ContactWork& work : contacts_) {
-    if (!work.pushes()) continue;
-    const Matrix3 slope = input.tau * work.slope;
-    work.in_floor_axes = work.frame.transpose() * slope * work.frame;
-    const auto add = [&](const BodyContact::Side& at, const Side& side) {
-      items_[at.item].add_slope(slope_between(work.in_floor_axes, side.point, side.point));
-      if (work.rolls) items_[at.item].add_turning_slope(input.tau * work.rolling.slope);
-      if (at.caster >= 0)
-        items_[at.item].add_joint_slope(at.caster, side.chassis, side.joints, slope);
-    };
-    add(work.contact->side, work.side);
-    if (work.contact->between_items()) add(work.contact->other_side, work.other_side);
-  }
-  add_joint_slopes();
-  for (std::size_t i : input.island->items) items_[i].eliminate();
-  if (input.island->items.size() == 1) return single_step(input.island->items.front(), v);
-  coupled_steps(*input.island, input.tau, v);
-}
-
-void StageSolver::single_step(std::size_t item, std::vector<Velocity>& v) {
-  items_[item].apply(solve6(items_[item].matrix(), items_[item].right_side()), v[item]);
-}
-
 double StageSolver::geometry_error(const Island& island, const std::vector<Velocity>& v) const {
   double error = 0;
   for (std::size_t i : island.items) error = std::max(error, items_[i].geometry_error(v[i]));
   return error;
+}
+
+void StageSolver::take(const std::vector<std::size_t>& island, double part) {
+  for (std::size_t i : island) {
+    v_[i].chassis = before_[i].chassis + part * (full_[i].chassis - before_[i].chassis);
+    for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
+      v_[i].joints[j] = before_[i].joints[j] + part * (full_[i].joints[j] - before_[i].joints[j]);
+  }
 }
 
 bool StageSolver::solve(const Input& input, Output& out) {
@@ -117,28 +103,30 @@ bool StageSolver::solve(const Input& input, Output& out) {
   for (int pass = 0; pass < kMaxGeometryPasses; ++pass) {
     update_geometry(input, v_, pass == 0);
     double residual = evaluate_forces(input, v_);
-    int iteration = 0;
+    int iteration = 0, full_steps = 0;
+    Factors& factors = factors_[island.front()];
+    // Part of a residual that a step with the last matrix leaves.
+    double left = has_factors(input) ? factors.left : 1;
     for (; residual > tolerance && iteration < settings_.max_iterations; ++iteration) {
       // Full steps settle most stages in two or three; halving them is for those that cycle between pieces of a law.
-      const bool may_backtrack = iteration >= kIterationsBeforeBacktracking;
-      if (may_backtrack)
+      const bool anew = !(residual * std::pow(left, kStepsWithOneMatrix) <= tolerance);
+      const bool may_backtrack = anew && full_steps >= kIterationsBeforeBacktracking;
+      const bool may_return = may_backtrack || !anew;
+      if (may_return)
         for (std::size_t i : island) before_[i] = v_[i];
-      newton_step(input, v_);
+      newton_step(input, anew, v_);
+      full_steps += anew;
       double next = evaluate_forces(input, v_);
-      if (may_backtrack) {
-        double fraction = 1;
+      if (may_return && !(next < residual)) {
         for (std::size_t i : island) full_[i] = v_[i];
-        for (int k = 0; k < kMaxBacktracks && !(next < residual); ++k) {
-          fraction *= 0.5;
-          for (std::size_t i : island) {
-            v_[i].chassis = before_[i].chassis + fraction * (full_[i].chassis - before_[i].chassis);
-            for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
-              v_[i].joints[j] =
-                  before_[i].joints[j] + fraction * (full_[i].joints[j] - before_[i].joints[j]);
-          }
+        double fraction = 1;
+        for (int k = 0; k < (anew ? kMaxBacktracks : 1) && !(next < residual); ++k) {
+          fraction = anew ? 0.5 * fraction : 0;
+          take(island, fraction);
           next = evaluate_forces(input, v_);
         }
       }
+      if (island.size() > 1) left = factors.left = next / residual;
       residual = next;
       if (!std::isfinite(residual)) break;
     }

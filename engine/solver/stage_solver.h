@@ -17,7 +17,9 @@ namespace gurney {
 /// with every force law evaluated at the end of the stage, by Newton's method on v. The force laws
 /// are piecewise smooth functions of velocity with known slopes D = -df/du (semismooth Newton, Qi &
 /// Sun 1993). Each item leaves one 6 x 6 system for its chassis (ItemStage), and contacts between
-/// items couple these.
+/// items couple these. Their common matrix is factored once and serves, as long as its steps shrink
+/// the residual well, for later iterations, stages and steps (simplified Newton, Hairer & Wanner
+/// 1996, IV.8).
 ///
 /// The geometry (M, J, bias) is that of the predicted end of the stage and is evaluated again when
 /// the solution has turned a joint or a chassis further from it than `kGeometryTolerance`.
@@ -93,12 +95,37 @@ class StageSolver {
   void set_input(const Input& input, std::size_t item);
   void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
   double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
-  void newton_step(const Input& input, std::vector<Velocity>& v);
-  void coupled_steps(const Island& island, double tau, std::vector<Velocity>& v);
-  void coupled_step(const std::vector<std::size_t>& group, double tau, std::vector<Velocity>& v);
-  void couple(const ContactWork& work, double tau);
-  void couple(const JointWork& work, double tau);
-  void single_step(std::size_t item, std::vector<Velocity>& v);
+  /// Unknowns of an item in the common system of its island: the chassis, then the joints it keeps.
+  struct Layout {
+    Eigen::Index size = 6;
+    std::array<Eigen::Index, kMaxCasters> joints{};  ///< where they begin; 0: eliminated
+
+    bool operator==(const Layout&) const = default;
+  };
+  /// The common system of an island as it was last factored.
+  struct Factors {
+    std::vector<std::size_t> items;  ///< of the island
+    double tau = 0;
+    std::vector<Layout> layouts;  ///< of the items
+    BlockSystem system;           ///< the last item's block first
+    double left = 1;              ///< part of the residual that the last step left
+  };
+
+  /// Adds a step of Newton's method to v, with the matrix of this velocity or the last one.
+  void newton_step(const Input& input, bool anew, std::vector<Velocity>& v);
+  void set_matrices(const Input& input);
+  bool has_factors(const Input& input);
+  void factor(const Input& input);
+  void couple(const ContactWork& work, Factors& factors);
+  void couple(const JointWork& work, Factors& factors);
+  Layout layout_of(std::size_t item) const;
+  /// Calls visit(caster, first unknown) for each caster that keeps its joints.
+  static void for_kept(const Layout& layout, const auto& visit) {
+    for (std::size_t j = 0; j < kMaxCasters; ++j)
+      if (layout.joints[j] > 0) visit(static_cast<int>(j), layout.joints[j]);
+  }
+  /// Makes v this part of the step from before_ to full_.
+  void take(const std::vector<std::size_t>& island, double part);
   double geometry_error(const Island& island, const std::vector<Velocity>& v) const;
   void finish(const Input& input, const std::vector<Velocity>& v, Output& out);
 
@@ -126,14 +153,8 @@ class StageSolver {
   std::vector<ContactWork> contacts_;     // of the island
   std::vector<JointWork> joints_;         // of the island
   std::vector<Velocity> v_, before_, full_;
-  std::vector<std::size_t> group_of_, group_;  // items that push each other, by the first of them
-  /// Block of an item in the system of its group: its chassis, then its kept joints.
-  struct Place {
-    std::size_t block = 0;
-    std::array<Eigen::Index, kMaxCasters> joints{};  // where they begin in the block
-  };
-  std::vector<Place> places_;  // as Scene::items
-  BlockSystem system_;         // of a group
+  std::vector<Factors> factors_;       // of islands, by their first items
+  std::vector<std::size_t> block_of_;  // of items, in the system of their island
 };
 
 }  // namespace gurney

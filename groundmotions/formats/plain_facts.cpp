@@ -141,7 +141,7 @@ LeadingNumbers count_alone(const PlainRows& rows) {
 /// `1` and `0.01` before one column of samples.
 bool are_scale_and_step(const PlainRows& rows, const ReadOptions& options) {
   if (rows.lengths.size() < kFewest + 2) return false;
-  const bool two_rows = rows.lengths[0] == 1 && rows.lengths[1] == 1 && rows.lengths[2] >= 1;
+  const bool two_rows = rows.lengths[0] == 1 && rows.lengths[1] == 1;
   const bool one_row = rows.lengths[0] == 2 && rows.lengths[1] == 1;
   const double scale = rows.values[0], step = rows.values[1];
   const bool is_known_step = options.time_step && *options.time_step == step;

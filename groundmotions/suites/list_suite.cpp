@@ -68,8 +68,9 @@ class ListReader {
     const auto has = [this](const char* title) {
       return std::ranges::find(titles_, title) != titles_.end();
     };
-    if (!has("file") && !has("h1") && !has("h2") && !has("vertical"))
-      errors_.add(line_ + 1, 1, "a list needs a column 'file', or columns 'h1', 'h2', 'vertical'");
+    if (has("file") || has("h1") || has("h2") || has("vertical")) return;
+    errors_.add(line_ + 1, 1, "a list needs a column 'file', or columns 'h1', 'h2', 'vertical'");
+    errors_.throw_if_any();  // no row can have one
   }
 
   void read_row() {

@@ -160,9 +160,9 @@ void press(const Row& c, Runner& runner) {
   runner.check("iterations in a step", "",
                static_cast<double>(response.quality.newton_iterations) /
                    static_cast<double>(response.quality.steps),
-               near_to(0, 2,
-                       "two stages of one iteration each when nothing changes, none where it "
-                       "rests, which it does for most of the time"));
+               near_to(0, 6,
+                       "two stages, settled by a matrix of an earlier one in at most three "
+                       "iterations each when nothing changes, none where it rests"));
 }
 
 }  // namespace

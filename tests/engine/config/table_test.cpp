@@ -29,6 +29,7 @@ ratio = 0.5
 on = true
 name = "cart"
 point = [1, 2.5, -3]
+corners = [[1, 2, 3], [4, 5, -6]]
 flags = [true, false]
 files = ["a", "b"]
 file = "c"
@@ -48,6 +49,7 @@ y = 2
   EXPECT_TRUE(root.boolean("on"));
   EXPECT_EQ(root.text("name"), "cart");
   EXPECT_EQ(root.vector("point", Range::any()), Vector3(1, 2.5, -3));
+  EXPECT_EQ(root.vectors("corners", Range::any()), (std::vector<Vector3>{{1, 2, 3}, {4, 5, -6}}));
   EXPECT_EQ(root.booleans("flags", 2), (std::vector<bool>{true, false}));
   EXPECT_EQ(root.texts("files"), (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(root.texts("file"), std::vector<std::string>{"c"});

@@ -61,6 +61,7 @@ std::pair<Eigen::MatrixXd, Eigen::VectorXd> whole(BlockSystem& system) {
 double residual_of(const Example& example, std::mt19937& random) {
   BlockSystem system = filled(example, random);
   const auto [K, b] = whole(system);
+  system.factor();
   system.solve();
   return (K * whole(system).second - b).norm() / b.norm();
 }
@@ -77,6 +78,21 @@ TEST(BlockSystem, SolvesChainsStarsAndRings) {
     EXPECT_LT(residual_of(example, random), kRounding);
 }
 
+TEST(BlockSystem, FactorsServeAnyNumberOfRightSides) {
+  std::mt19937 random(5);
+  Number number(-1, 1);
+  BlockSystem system = filled({{6, 8, 6, 22}, {{0, 1}, {1, 2}, {2, 3}, {0, 3}}}, random);
+  const Eigen::MatrixXd K = whole(system).first;
+  system.factor();
+  for (int i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < system.count(); ++k)
+      for (double& each : system.right_side(k)) each = number(random);
+    const Eigen::VectorXd b = whole(system).second;
+    system.solve();
+    EXPECT_LT((K * whole(system).second - b).norm() / b.norm(), kRounding);
+  }
+}
+
 // A body whose largest entry of a column is not on the diagonal.
 TEST(BlockSystem, ChangesRowsWhereADiagonalVanishes) {
   BlockSystem system;
@@ -91,6 +107,7 @@ TEST(BlockSystem, ChangesRowsWhereADiagonalVanishes) {
     system.right_side(0)[i] = static_cast<double>(i);
     system.right_side(1)[i] = 10.0 * static_cast<double>(i);
   }
+  system.factor();
   system.solve();
   for (Eigen::Index i = 0; i < 6; ++i) {
     EXPECT_EQ(system.right_side(1)[i], 10.0 * static_cast<double>(i));
@@ -104,6 +121,7 @@ TEST(BlockSystem, HasTheSameBitsWhereverItsMemoryIs) {
     std::mt19937 random(11);
     BlockSystem system =
         filled({{10, 6, 8, 6}, {{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}}}, random);
+    system.factor();
     system.solve();
     return std::make_pair(whole(system).second, std::move(system));
   };

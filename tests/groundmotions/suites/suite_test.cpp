@@ -180,6 +180,13 @@ TEST(ListSuite, ReportsEveryError) {
                         list));
 }
 
+TEST(ListSuite, RefusesAHeaderThatNamesNoFiles) {
+  const TempFolder folder;
+  const auto list = folder.write("list.csv", "name, unit\na, g\n");
+  EXPECT_EQ(error_text([&] { read_suite({list}); }),
+            list + ":1:1: a list needs a column 'file', or columns 'h1', 'h2', 'vertical'");
+}
+
 TEST(ListSuite, RefusesFoldersAndTimeStepsThatNoRecordHas) {
   const TempFolder folder;
   folder.write("e.txt", "1\n-1\n2\n");

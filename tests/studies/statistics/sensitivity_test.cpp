@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,16 @@ const double kVariance = 49 / 8.0 + 0.1 * kPi4 / 5 + 0.01 * kPi8 / 18 + 0.5;
 const double kFirst[3]{0.5 * std::pow(1 + 0.1 * kPi4 / 5, 2) / kVariance, 49 / 8.0 / kVariance, 0};
 const double kBoth = 0.01 * kPi8 * 8 / 225 / kVariance;  // x1 and x3 together
 const double kTotal[3]{kFirst[0] + kBoth, kFirst[1], kBoth};
+
+TEST(VarianceIndex, LiesFrom0To1InItsInterval) {
+  const auto within = [](double estimate, double low, double high) {
+    const VarianceIndex index = VarianceIndex::within_0_and_1(estimate, {low, high});
+    return std::array{index.estimate, index.interval.low, index.interval.high};
+  };
+  EXPECT_EQ(within(0.3, -0.1, 1.2), (std::array{0.3, 0.0, 1.0}));
+  EXPECT_EQ(within(1.05, 0.8, 1.3), (std::array{1.0, 0.8, 1.0}));
+  EXPECT_EQ(within(-0.02, -0.1, 0.1), (std::array{0.0, 0.0, 0.1}));
+}
 
 TEST(SobolIndices, OfIshigamiAreTheClosedForms) {
   EXPECT_NEAR(kFirst[0] + kFirst[1] + kBoth, 1, 1e-12);

@@ -22,6 +22,18 @@ std::string judged(const Trial& trial) {
   }
 }
 
+TEST(WithNoise, DisturbsEverySample) {
+  const Trial exact = make_pull({.displacement_noise = 0, .force_noise = 0});
+  const TrialSignals a = exact.signals, b = with_noise(exact, 1, 0).signals;
+  ASSERT_EQ(a.displacement.size(), b.displacement.size());
+  for (std::size_t i = 0; i < a.time.size(); ++i) {
+    EXPECT_NE(a.displacement[i], b.displacement[i]) << i;
+    EXPECT_LT(std::abs(a.displacement[i] - b.displacement[i]), 6 * kDisplacementNoise) << i;
+    EXPECT_NE(a.force[i], b.force[i]) << i;
+    EXPECT_LT(std::abs(a.force[i] - b.force[i]), 6 * kForceNoise) << i;
+  }
+}
+
 TEST(TrialCheck, LetsGoodTrialsPass) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     SyntheticPull made;
