@@ -61,6 +61,8 @@ TEST(Sac, KnowsTheVertical) {
       ElementsAre("the component is called 'HNZ', but its inclination from up is not stated "
                   "(CMPINC)"));
   EXPECT_EQ(read({.name = "HNN", .reals = {{57, -12345}, {58, -12345}}}).azimuth, 0);
+  EXPECT_EQ(read({.name = "HNE", .reals = {{57, -12345}, {58, -12345}}}).azimuth,
+            90 * kRadiansPerDegree);
   EXPECT_FALSE(read({.name = "HN1", .reals = {{57, -12345}, {58, -12345}}}).azimuth);
 }
 
