@@ -67,11 +67,18 @@ double Stepper::longest_step_at_stops(const Island& island, const SceneState& st
   for (std::size_t j : island.joints) {
     const JointLaw& law = assembly_.joints[j];
     if (state.joints[j].latched || !law.has_stops()) continue;
-    const auto stops = law.approaches(state.joints[j], assembly_.joint_rate(j, state));
-    for (const auto& [compression, speed] : stops) {
-      if (std::abs(speed) < ImpactLaw::kLeastApproach) continue;
+    const JointLaw::Rows rows = assembly_.rows(j, state);
+    const JointLaw::Row& along = rows.rows[*rows.along];
+    const std::size_t part = law.joint().part, base = law.joint().base;
+    const double rate =
+        along.rate(state.items[part].velocity.chassis, state.items[base].velocity.chassis);
+    const double change = remaining * along.rate(predictions_[part].acceleration.chassis,
+                                                 predictions_[base].acceleration.chassis);
+    for (const auto& [compression, speed] : law.approaches(state.joints[j], rate)) {
+      const double faster = compression > 0 ? std::abs(change) : 0;
+      if (std::max(std::abs(speed), faster) < ImpactLaw::kLeastApproach) continue;
       if (compression <= 0 && -compression > 2 * speed * remaining) continue;
-      const double mass = 1 / assembly_.mobility(assembly_.rows(j, state), j, state);
+      const double mass = 1 / assembly_.mobility(rows, j, state);
       const double duration = std::numbers::pi * std::sqrt(mass / law.stop_stiffness());
       const double until_touch = compression < 0 ? -compression / speed : 0;
       longest = std::min(longest, std::max(duration / kStepsInImpact, 0.8 * until_touch));

@@ -422,6 +422,30 @@ TEST(Parts, DrawerReboundsFromItsStop) {
   EXPECT_NEAR(slider.upper - least, 0.25 * slider.upper, 0.03 * slider.upper);
 }
 
+// A hard stop, met at other times within the steps: one that ends where the drawer turns back, deep in the stop and
+// slow, must not be followed by a long one. 32 steps in a blow leave 0.3 % of the rebound, and the acceleration
+// changes v by a pi sqrt(m / k) / v = 0.1 % of it; its height has twice both.
+TEST(Parts, DrawerReboundsFromAHardStopAtAnyTimeOfAStep) {
+  Scene scene = drawer();
+  Joint& slider = scene.joints[0];
+  slider.upper = 0.3;
+  slider.restitution = 0.6;
+  slider.stop_stiffness = 1e8;
+  for (int k = 0; k < 15; ++k) {
+    const double a = 2.5 * (1 + 0.002 * k);
+    const Response r = simulate(scene, floor_of({-a, -a}, 3), blocks::run_for(0.85, 0.004, 0.004));
+    double least = 1;
+    bool met = false;
+    for (const Sample& sample : r.items[1].history) {
+      met |= sample.displacement.x() > 0.99 * slider.upper;
+      if (met) least = std::min(least, sample.displacement.x());
+    }
+    const double back = 0.36 * slider.upper;
+    EXPECT_NEAR(slider.upper - least, back, 0.008 * back) << a;
+    EXPECT_TRUE(r.outcome != Outcome::kUntrusted) << a;
+  }
+}
+
 // Coulomb friction holds the drawer below m a = F and stops it by work: after a pulse that leaves it with v, F s = m v^2 / 2.
 TEST(Parts, FrictionOfADrawer) {
   Scene scene = drawer();

@@ -40,6 +40,7 @@ TEST(GeoNet, ReadsThreeComponentsOfEachVolume) {
 
 TEST(GeoNet, SamplesPutBeforeTheRecordStartEarlier) {
   EXPECT_NEAR(*read_text(geonet_file({.prepended = 100}))[0].start_time, 991407937, 1e-6);
+  EXPECT_FALSE(read_text(geonet_file({.prepended = -1}))[0].start_time);
 }
 
 TEST(GeoNet, ReadsNumbersWithoutTheirPoint) {
