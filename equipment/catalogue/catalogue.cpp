@@ -38,6 +38,14 @@ KindNames names_of(DataKind kind) {
 
 fs::path folder_of(DataKind kind) { return fs::path(data_folder()) / names_of(kind).folder; }
 
+void require_folder(const fs::path& folder) {
+  std::error_code ignored;
+  require(fs::is_directory(folder, ignored),
+          folder.string() +
+              ": the catalogue is not there; the environment variable GURNEY_DATA names "
+              "the folder that holds equipment/");
+}
+
 /// `; 'R100' is a caster`; empty: no name of the catalogue.
 std::string of_another_kind(const std::string& name) {
   for (const DataKind kind : {DataKind::kItem, DataKind::kCaster, DataKind::kFloor, DataKind::kRoom,
@@ -51,15 +59,17 @@ std::string of_another_kind(const std::string& name) {
 
 std::string data_folder() { return find_data_folder().path; }
 
+std::string data_file(const std::string& name) {
+  const fs::path folder = fs::path(data_folder()) / "equipment";
+  require_folder(folder);
+  return (folder / name).string();
+}
+
 std::vector<std::string> catalogue_names(DataKind kind) {
   const fs::path folder = folder_of(kind);
-  std::error_code problem;
-  fs::directory_iterator files(folder, problem);
-  require(!problem, folder.string() +
-                        ": the catalogue is not there; the environment variable GURNEY_DATA names "
-                        "the folder that holds equipment/");
+  require_folder(folder);
   std::vector<std::string> names;
-  for (const fs::directory_entry& file : files)
+  for (const fs::directory_entry& file : fs::directory_iterator(folder))
     if (file.path().extension() == ".toml") names.push_back(file.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;

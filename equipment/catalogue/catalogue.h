@@ -11,6 +11,10 @@ enum class DataKind { kItem, kCaster, kFloor, kRoom, kTether, kBuilding };
 /// contacts.toml and levelness.toml, and groundmotions/buildings/.
 std::string data_folder();
 
+/// The path of a file of its folder equipment/.
+/// @throws Error if the folder is missing.
+std::string data_file(const std::string& name);
+
 /// Names in the catalogue, sorted.
 /// @throws Error if the folder is missing.
 std::vector<std::string> catalogue_names(DataKind kind);

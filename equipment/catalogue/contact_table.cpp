@@ -104,7 +104,7 @@ ContactTable read_contacts(Table& parent) {
 }
 
 ContactTable usual_contacts() {
-  config::Document document(data_folder() + "/equipment/contacts.toml");
+  config::Document document(data_file("contacts.toml"));
   Table root = document.root();
   root.choice("schema", {"gurney-contacts/1"});
   ContactTable contacts = read_contacts(root);

@@ -28,7 +28,7 @@ Uncertain<FloorCovering> load_floor_covering(const std::string& file) {
 
 Uncertain<Levelness> usual_levelness() {
   using config::Range;
-  config::Document document(data_folder() + "/equipment/levelness.toml");
+  config::Document document(data_file("levelness.toml"));
   config::Table root = document.root();
   root.choice("schema", {"gurney-levelness/1"});
   Uncertain<Levelness> floor;

@@ -262,7 +262,10 @@ std::array<ModalAxis, 2> read_shear(Table& table, Building& building) {
     stiffness.fill(tapered_storeys(storeys, top));
   }
   std::array<ModalAxis, 2> axes;
-  if (table.document().errors() > before || vector(mass).minCoeff() <= 0) return axes;
+  if (table.document().errors() > before || vector(mass).minCoeff() <= 0) {
+    for (const char* key : {"torsion", "yield"}) table.set_aside(key);
+    return axes;
+  }
   for (std::size_t i = 0; i < 2; ++i) {
     axes[i] = modes_of(vector(mass), shear_stiffness(stiffness[i]));
     if (period) {

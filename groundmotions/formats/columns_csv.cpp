@@ -72,9 +72,11 @@ std::vector<std::string> known_names() {
 std::vector<const Column*> columns_of(const SourceFile& file, std::size_t line,
                                       FileErrors& errors) {
   const auto cells = csv_row(file.lines()[line]);
-  if (cells[0].text != "time_s")
+  if (cells[0].text != "time_s") {
     errors.add(line + 1, cells[0].column,
                fmt::format("the first column must be time_s, got '{}'", cells[0].text));
+    errors.throw_if_any();
+  }
   std::vector<const Column*> columns;
   for (const CsvCell& cell : std::vector(cells.begin() + 1, cells.end())) {
     const Column* column = find_column(cell.text);

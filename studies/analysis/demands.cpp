@@ -97,6 +97,9 @@ std::vector<NamedDemand> demands_named(const StudyData& data, std::size_t config
       if (each.name == name || (each.quantity.of == Quantity::Of::kItem && column_of(each) == name))
         result.push_back(each);
     if (result.size() > before) continue;
+    const std::string& of = data.configurations()[configuration];
+    require(!all.empty(), fmt::format("{}: all runs{} failed: none has demands", data.file().path(),
+                                      of.empty() ? "" : " of " + of));
     std::vector<std::string> known;
     for (const TableColumn<Demands>& column : demand_columns()) {
       known.push_back(column.name);

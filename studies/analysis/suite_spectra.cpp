@@ -73,7 +73,7 @@ std::vector<SuiteSpectra> suite_spectra(const StudyData& data, const SuiteSpectr
     SuiteSpectra& spectra = all[motions.index_of(i)];
     spectra.configurations.push_back(data.configurations()[i]);
     const std::vector<std::size_t> rows = record_rows({&data, i});
-    if (spectra.configurations.size() > 1 || rows.empty()) continue;
+    if (!spectra.records.empty() || rows.empty()) continue;
     const MotionSet& set = motions.set_of(i);
     spectra.level = name;
     spectra.periods = groundmotions::logarithmic_periods(0.02, 10, request.periods);
@@ -95,7 +95,7 @@ std::vector<SuiteSpectra> suite_spectra(const StudyData& data, const SuiteSpectr
     }
   }
   std::erase_if(all, [](const SuiteSpectra& each) { return each.records.empty(); });
-  require(!all.empty(), path + ": its floor is at rest");
+  require(!all.empty(), path + ": its floor is at rest, or all of its runs failed");
   return all;
 }
 

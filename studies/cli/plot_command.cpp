@@ -56,7 +56,7 @@ std::string fragility(const PlotRequest& request, const figures::PlotPage& page)
   return figures::fragility_figure(
       data,
       fragility_curves(data, wanted_states(data, request.what),
-                       study::wanted_configurations(data, request.configurations), request.measure,
+                       configurations_with_runs(data, request.configurations), request.measure,
                        request.method),
       page);
 }
@@ -70,7 +70,7 @@ std::string of_demands(const PlotRequest& request, const figures::PlotPage& page
   std::vector<study::DemandRuns> all;
   for (const std::string& name : names)
     for (study::DemandRuns& each :
-         study::demand_runs(data, study::wanted_configurations(data, request.configurations), name,
+         study::demand_runs(data, configurations_with_runs(data, request.configurations), name,
                             data.measure(request.measure)))
       all.push_back(std::move(each));
   return Draw(page, data.file().text_attribute("title"), all);
@@ -90,8 +90,7 @@ std::string tornado(const PlotRequest& request, const figures::PlotPage& page) {
   if (names.empty()) names = {"peak_displacement"};
   std::vector<report::SensitivityReport> reports;
   for (const std::string& name : names)
-    for (const std::size_t configuration :
-         study::wanted_configurations(data, request.configurations)) {
+    for (const std::size_t configuration : configurations_with_runs(data, request.configurations)) {
       study::SensitivityRequest output = sensitivity_request(data, name);
       output.level = request.level;
       reports.push_back({data.configurations()[configuration],
@@ -135,7 +134,7 @@ std::string collisions(const PlotRequest& request, const figures::PlotPage& page
   }
   const study::StudyData data(request.file, {}, {}, page.units);
   std::vector<figures::CollisionMap> maps;
-  for (const std::size_t i : study::wanted_configurations(data, request.configurations))
+  for (const std::size_t i : configurations_with_runs(data, request.configurations))
     maps.push_back({data.configurations()[i],
                     page::scene_of_study(data.file(), job_of(request), i).scene,
                     study::impacts_of_runs(impacts, data.runs_of(i)), data.runs_of(i).size()});
@@ -149,7 +148,7 @@ std::string spectra(const PlotRequest& request, const figures::PlotPage& page) {
       study::suite_spectra(
           data, {.job = job_of(request),
                  .level = request.level,
-                 .configurations = study::wanted_configurations(data, request.configurations)}),
+                 .configurations = configurations_with_runs(data, request.configurations)}),
       request.what);
 }
 

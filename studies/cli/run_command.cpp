@@ -126,9 +126,20 @@ bool is_complete(const RunOptions& options, const Paths& paths, const study::Bat
                       study::PartFolder::Start::kResume)
         .remove();
   study::remove_abandoned(paths.parts);
-  if (!options.quiet)
-    fmt::print("results  {} (already complete)\n", printable(paths.results.string()));
   return true;
+}
+
+/// Says what the complete results hold; @returns the exit code of the study that made them
+int print_complete(const RunOptions& options, const fs::path& results, const study::Batch& batch) {
+  const study::StudyOverview known = study::study_overview(results.string(), {}, options.units);
+  if (options.json)
+    print_study(
+        batch, results,
+        {{known.runs, known.failed, known.untrusted, known.overturned}, known.factors_on_records},
+        0, true, options.units);
+  else if (!options.quiet)
+    fmt::print("results  {} (already complete)\n", printable(results.string()));
+  return known.failed > 0 ? 3 : 0;
 }
 
 /// The finished cases whose bytes are still what was written.
@@ -317,7 +328,7 @@ int run_study(const RunOptions& options) {
   const study::Batch batch{job, motions, plan};
   refuse_oversized(batch);
   motions.read_all(threads);
-  if (is_complete(options, paths, batch)) return 0;
+  if (is_complete(options, paths, batch)) return print_complete(options, paths.results, batch);
 
   make_default_folder(options);
   study::OutputFiles(options.overwrite).check(paths.results.string());
@@ -370,7 +381,11 @@ int run_study(const RunOptions& options) {
   folder.remove();
   const double rate =
       progress.runs_now > 0 ? static_cast<double>(progress.runs_now) / progress.seconds : 0;
-  if (!options.quiet) print_study(batch, paths.results, summary, rate, options.json, options.units);
+  if (!options.quiet)
+    print_study(batch, paths.results, summary, rate, options.json, options.units);
+  else if (summary.counts.failed > 0)
+    print_error("{}: {} of {} runs failed\n", paths.results.string(), summary.counts.failed,
+                summary.counts.runs);
   return summary.counts.failed > 0 ? 3 : 0;
 }
 

@@ -13,7 +13,9 @@
 #include "engine/config/document.h"
 #include "equipment/catalogue/catalogue.h"
 #include "groundmotions/formats/format.h"
+#include "studies/analysis/configuration_view.h"
 #include "studies/cli/output.h"
+#include "studies/cli/process.h"
 #include "studies/limit_states/limit_state_reader.h"
 #include "studies/results/output_files.h"
 
@@ -80,6 +82,23 @@ CLI::Option* add_units_option(Options& add, study::UnitSystem& units, const char
           fmt::format("Units of what is printed and drawn: {} (default: {})",
                       fmt::join(names, ", "), usual))
       ->check(CLI::Validator(problem, fmt::format("{{{}}}", fmt::join(names, ","))));
+}
+
+std::vector<std::size_t> configurations_with_runs(const study::StudyData& data,
+                                                  const std::vector<std::string>& texts) {
+  std::vector<std::size_t> wanted = study::wanted_configurations(data, texts);
+  std::string left_out;
+  std::erase_if(wanted, [&](std::size_t i) {
+    if (!data.runs_of(i).empty()) return false;
+    const std::string& name = data.configurations()[i];
+    left_out += fmt::format("{}: all runs{} failed\n", data.file().path(),
+                            name.empty() ? "" : " of " + name);
+    return true;
+  });
+  if (!left_out.empty()) left_out.pop_back();
+  require(!wanted.empty(), left_out);
+  if (!left_out.empty()) print_error("{}\n", left_out);
+  return wanted;
 }
 
 std::vector<std::size_t> wanted_states(const study::StudyData& data,

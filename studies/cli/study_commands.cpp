@@ -139,7 +139,7 @@ int rank(const CompareOptions& options) {
   if (options.level) request.level = *options.level - 1;
   std::vector<findings::Section> known;
   std::string figure;
-  for (const std::size_t configuration : study::wanted_configurations(data, options.configurations))
+  for (const std::size_t configuration : configurations_with_runs(data, options.configurations))
     for (const study::RecordRanking& ranking :
          study::rank_records({&data, configuration}, request)) {
       known.push_back(report::ranking_findings(data, ranking));
@@ -226,7 +226,7 @@ int measures(const MeasuresOptions& options) {
               ": no limit state has a demand above a limit, so there is no size to "
               "predict");
   std::vector<findings::Section> known;
-  for (const std::size_t configuration : study::wanted_configurations(data, options.configurations))
+  for (const std::size_t configuration : configurations_with_runs(data, options.configurations))
     for (const std::size_t state : states) {
       const study::LimitState& limit = data.limit_states()[state];
       known.push_back(report::measure_findings(
@@ -266,7 +266,7 @@ int sensitivity(const SensitivityOptions& options) {
             options.file + ": an IDA has no levels common to all records; omit --level");
     request.level = static_cast<std::size_t>(options.level - 1);
   }
-  const auto wanted = study::wanted_configurations(data, options.configurations);
+  const auto wanted = configurations_with_runs(data, options.configurations);
   require(options.figure.empty() || wanted.size() == 1,
           fmt::format("--figure draws one configuration; name it with --configuration: {}",
                       fmt::join(data.configurations(), "; ")));

@@ -330,7 +330,10 @@ std::string fragility_figure(const study::StudyData& data,
     states.push_back(each.state);
     std::vector<const study::FragilityResult*> of_state;
     for (const study::FragilityResult& other : results)
-      if (other.state == each.state) of_state.push_back(&other);
+      if (other.state == each.state && !other.im.empty()) of_state.push_back(&other);
+    require(!of_state.empty(),
+            fmt::format("{}: no run of {} has results", data.file().path(),
+                        each.configuration.empty() ? "the study" : each.configuration));
     chart.panels.push_back(
         {.panel = state_panel(of_state, study::report_unit(data, each.measure)), .aspect = 0.44});
   }

@@ -118,10 +118,11 @@ class ItemTable {
               (kNumbers.contains(titles_[i]) ? cells[i].text : toml_string(cells[i].text)) + "\n";
     }
     // The same rules as those of the tables; messages get the place of the row.
-    config::Document document(toml, "row");
-    Table root = document.root();
-    HospitalItem item = read_item(root, taken_);
+    HospitalItem item;
     try {
+      config::Document document(toml, "row");
+      Table root = document.root();
+      item = read_item(root, taken_);
       document.finish();
     } catch (const Error& error) {
       const std::string message = error.what();
@@ -187,7 +188,9 @@ std::optional<std::pair<std::size_t, std::size_t>> find_item(const Hospital& hos
   return {};
 }
 
-HospitalAction read_action(Table& in, const Hospital& hospital, std::set<std::string>& taken) {
+/// @param complete  whether all rooms could be read
+HospitalAction read_action(Table& in, const Hospital& hospital, bool complete,
+                           std::set<std::string>& taken) {
   HospitalAction action;
   action.name = new_name(in, taken);
   std::vector<std::string> known;
@@ -200,6 +203,8 @@ HospitalAction read_action(Table& in, const Hospital& hospital, std::set<std::st
     const std::string message = ": no such item" + config::suggestion(names[i], known);
     if (found)
       action.items.push_back(*found);
+    else if (!complete)
+      continue;  // it may be one of those that could not be read
     else if (in.is_array("items"))
       in.note_element("items", i, message);
     else
@@ -217,6 +222,8 @@ HospitalAction read_action(Table& in, const Hospital& hospital, std::set<std::st
 
 void read_motion(Table in, Hospital& hospital) {
   hospital.levels = in.numbers("pgv_m_per_s", Range::positive());
+  if (hospital.levels.empty() && in.is_array("pgv_m_per_s"))
+    in.note("pgv_m_per_s", " = []: must have 1 or more values");
   if (!std::ranges::is_sorted(hospital.levels, std::less_equal<>()))
     in.note("pgv_m_per_s", ": must increase");
   const auto correlation =
@@ -287,8 +294,9 @@ Hospital read_hospital(const std::string& path) {
     service.works = read_works(each, true).value_or(Requirement());
     hospital.services.push_back(std::move(service));
   }
+  const bool complete = document.clean();
   for (Table each : root.tables("action"))
-    hospital.actions.push_back(read_action(each, hospital, actions));
+    hospital.actions.push_back(read_action(each, hospital, complete, actions));
   if (auto simulation = root.table("simulation")) hospital.study = read_study(*simulation);
   document.finish();
   return hospital;

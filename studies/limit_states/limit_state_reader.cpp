@@ -108,8 +108,13 @@ void read_demand(Table& in, LimitState& state) {
   const std::vector<NamedColumn> columns = columns_of(state.quantity.of);
   std::vector<std::string> names;
   for (const NamedColumn& column : columns) names.push_back(column.name);
+  const std::size_t errors = in.document().errors();
   const NamedColumn& column = columns[in.choice("demand", names)];
   state.quantity.column = column.name;
+  if (in.document().errors() > errors) {
+    for (const char* key : {"above", "below", "unit"}) in.has(key);
+    return;
+  }
   if (in.has("above") == in.has("below")) {
     in.note("above", ": must be given, or below, not both");
     for (const char* key : {"above", "below", "unit"}) in.has(key);
@@ -218,7 +223,10 @@ std::vector<std::size_t> read_performance(Table& in, const std::vector<LimitStat
   std::vector<std::size_t> levels;
   for (const std::string& name : in.texts("performance")) {
     try {
-      levels.push_back(index_of(states, name));
+      const std::size_t level = index_of(states, name);
+      if (std::ranges::find(levels, level) != levels.end())
+        in.note("performance", ": \"" + name + "\" comes twice");
+      levels.push_back(level);
     } catch (const Error& error) {
       in.note("performance", std::string(": ") + error.what());
     }

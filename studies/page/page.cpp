@@ -61,7 +61,8 @@ Document document_of(const StudyPage& page) {
 std::vector<report::SensitivityReport> sensitivities_of(const study::StudyData& data) {
   std::vector<report::SensitivityReport> reports;
   for (std::size_t i = 0; i < data.configurations().size() && reports.size() < kMaxConfigurations;
-       ++i)
+       ++i) {
+    if (data.runs_of(i).empty()) continue;
     for (const study::NamedDemand& demand : study::demands_named(data, i, {"peak_displacement"})) {
       report::SensitivityReport report{data.configurations()[i], {}, "", data.units()};
       try {
@@ -73,6 +74,7 @@ std::vector<report::SensitivityReport> sensitivities_of(const study::StudyData& 
       reports.push_back(std::move(report));
       if (reports.size() == kMaxConfigurations) break;
     }
+  }
   return reports;
 }
 

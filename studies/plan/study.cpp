@@ -65,14 +65,20 @@ using config::Table;
 constexpr int kMax = std::numeric_limits<int>::max();
 constexpr int kMaxReplicas = 10000;  // the last is still within 1e-5 of the item
 
-void note_disorder(Table& in, const std::string& key, const std::vector<double>& values) {
+/// Positive numbers in an array, each more than the one before it.
+std::vector<double> increasing(Table& in, const std::string& key,
+                               const std::optional<std::vector<double>>& fallback) {
+  const std::size_t errors = in.document().errors();
+  const std::vector<double> values = in.numbers(key, Range::positive(), {}, fallback);
+  if (in.document().errors() > errors || !in.is_array(key)) return values;
   if (values.empty()) in.note(key, " = []: must have 1 or more values");
   for (std::size_t i = 1; i < values.size(); ++i)
     if (!(values[i] > values[i - 1])) {
       in.note(key, fmt::format("[{}] = {:g}: must be more than the value before it, {:g}", i,
                                values[i], values[i - 1]));
-      return;
+      break;
     }
+  return values;
 }
 
 /// The patch that sets one dotted key, such as `item.brakes` or `item.bed.variant`.
@@ -290,8 +296,13 @@ void read_adaptive(Table adaptive, const std::vector<LimitState>& states, Intens
 IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   IntensityPlan plan;
   if (!in.has("measure")) {
-    plan.levels = in.numbers("scales", Range::positive(), {}, plan.levels);
-    if (in.is_array("scales")) note_disorder(in, "scales", plan.levels);
+    plan.levels = increasing(in, "scales", plan.levels);
+    std::vector<std::string> unclear;
+    for (const char* const key : {"levels", "ida", "adaptive", "component", "unit"})
+      if (in.has(key)) unclear.push_back(key), in.set_aside(key);
+    if (!unclear.empty())
+      in.note("measure",
+              fmt::format(": missing; {} need one, such as \"PGA\"", fmt::join(unclear, ", ")));
     plan.vertical = read_vertical_scaling(in);
     return plan;
   }
@@ -314,8 +325,7 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
   }
   plan.kind = IntensityPlan::Kind::kStripes;
   if (!in.has("levels")) return plan;
-  plan.levels = in.numbers("levels", Range::positive());
-  if (in.is_array("levels")) note_disorder(in, "levels", plan.levels);
+  plan.levels = increasing(in, "levels", {});
   for (double& level : plan.levels) level *= plan.unit_in_si;
   return plan;
 }

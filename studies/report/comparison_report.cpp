@@ -280,9 +280,10 @@ findings::Section comparison_findings(const ComparisonReport& report) {
         "interval unknown: too few groups, or all of them differ alike (as where no run of either "
         "side exceeds): without scatter nothing is known of its width");
   if (found.overturned > 0)
-    all.say(
-        fmt::format("{} of the paired runs overturned: their demands are those before overturning",
-                    found.overturned));
+    all.say(fmt::format(
+        "{} of the paired runs overturned: their demands contain what they do on the floor, "
+        "unless settings.follow_overturning = false",
+        found.overturned));
   all.list("not_in_both", "not in both", found.not_common);
   all.json("smallest_p_possible", found.smallest_p);
   Section tests{"tests"};

@@ -349,18 +349,21 @@ findings::Texts sensitivity_remarks(const study::StudySensitivity& found) {
         fmt::format("Few runs: {} make wide intervals, and classes of {:.0f} runs smooth what "
                     "changes fast; 100 or more are better.",
                     found.runs, std::sqrt(static_cast<double>(found.runs))));
+  const char* const advice = found.level.empty() ? "; look at one --level" : "";
   if (found.repeated_draws && found.designed)
     say(fmt::format(
         "Several angles or levels share {} points: the indices are of the variance within them, "
-        "and the intervals are too narrow; look at one --level.",
-        found.draws));
+        "and the intervals are too narrow{}.",
+        found.draws, advice));
   else if (found.repeated_draws)
     say(
         fmt::format("{} runs share {} draws: they are not independent and the intervals are "
-                    "too narrow; look at one --level.",
-                    found.runs, found.draws));
+                    "too narrow{}.",
+                    found.runs, found.draws, advice));
   if (found.overturned > 0)
-    say(fmt::format("{} runs overturned: their demands are those before overturning.",
+    say(
+        fmt::format("{} runs overturned: their demands contain what they do on the floor, unless "
+                    "settings.follow_overturning = false.",
                     found.overturned));
   if (found.left_out > 0)
     say(fmt::format("{} runs {}", found.left_out,

@@ -10,10 +10,12 @@
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/base/units.h"
+#include "studies/analysis/demands.h"
 #include "studies/figures/study_figures.h"
 #include "studies/render/render.h"
 #include "studies/report/fragility_report.h"
 #include "tests/studies/analysis/small_study.h"
+#include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -320,6 +322,18 @@ TEST_F(FragilityResultTest, SaysWhyThereIsNoCurve) {
   EXPECT_THAT(render::json(report::fragility_findings(study, results)),
               testing::HasSubstr("\"curve\": null"));
   EXPECT_THAT(figures::fragility_figure(study, results), testing::HasSubstr("all (no curve)"));
+}
+
+TEST_F(FragilityResultTest, OfRunsThatAllFailedThereIsNoFigure) {
+  const StudyData study =
+      data({{.record = 0, .intensity = 1, .displacement = 0.1, .failed = true},
+            {.record = 1, .intensity = 2, .displacement = 0.1, .failed = true}});
+  const FragilityResult result = fragility_of(study, {0, 0, ""});
+  EXPECT_FALSE(result.curve());
+  EXPECT_THAT(error_text([&] { figures::fragility_figure(study, {result}); }),
+              testing::HasSubstr("no run of all has results"));
+  EXPECT_THAT(error_text([&] { demands_named(study, 0, {"peak_displacement"}); }),
+              testing::HasSubstr("all runs of all failed: none has demands"));
 }
 
 TEST_F(FragilityResultTest, PerformanceLevelsAddUpToOne) {

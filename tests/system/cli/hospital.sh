@@ -78,6 +78,16 @@ draws = 2
 synthetic = { kind = "white_noise", duration_s = 4, taper_s = 1, highest_frequency_hz = 10, pga_h2_g = 0.2 }
 TOML
 
+# An inventory with an error is the only error, with its place.
+sed 's/^\[\[room.item\]\]/items = "bay.csv"/; /^name = "pole"/d; /^equipment = "infusion_pole"/d' ward.toml > listed.toml
+printf 'name,equipment,count\npole,infusion_pole,-3\n' > bay.csv
+expect 1 "bay.csv:2:1: count = -3: must be a whole number in 1..100000" "$gurney" hospital listed.toml
+[ "$(wc -l < stderr)" -eq 1 ] || complain "follow-up errors of an inventory"
+printf 'name,equipment\np\xf6le,infusion_pole\n' > bay.csv
+expect 1 "bay.csv:2:1: not valid TOML" "$gurney" hospital listed.toml
+sed 's/^pgv_m_per_s.*/pgv_m_per_s = []/' ward.toml > empty.toml
+expect 1 "empty.toml:5:15: motion.pgv_m_per_s = []: must have 1 or more values" "$gurney" hospital empty.toml
+
 # The study that the hospital becomes, run at once, in shards, and continued.
 expect 0 "beds out" "$gurney" hospital ward.toml --run whole.h5 -j 2
 cp stdout whole

@@ -32,6 +32,23 @@ slip 'bad.toml:10:9: excitation.building.floor = "third": must be "roof" or a wh
   '$a [excitation.building]\nfile = "concrete_hospital"\nfloor = "third"'
 slip "the motion of the floor has a peak of 400 g after scaling; at most 100 g are allowed" 's/^file.*/&\nscale = 1000/'
 
+# One cause, one error: what depends on it is not complained of as well.
+# only TEXT SED: the job with this change is refused with TEXT, and nothing else
+only() {
+  sed "$2" good.toml > bad.toml
+  expect 1 "$1" "$gurney" check bad.toml
+  [ "$(wc -l < stderr)" -eq 1 ] || complain "more than one line: $1"
+}
+study='$a [study]\ndraws = 2\n[study.intensity]\n'
+only "bad.toml:13:16: study.intensity.levels[1] = nan: must be a finite number > 0" \
+  "${study}measure = \"PGA\"\nunit = \"g\"\nlevels = [0.1, nan]"
+only "study.intensity.measure: missing; levels, unit need one" "${study}unit = \"g\"\nlevels = [0.1, 0.2]"
+only "study.limit_state[0].demand = \"peak_tild\": must be a known name; did you mean 'peak_tilt'?" \
+  '$a [study]\n[[study.limit_state]]\nname = "a"\ndemand = "peak_tild"\nabove = 2\nunit = "deg"'
+only 'study.performance: "moved" comes twice' '$a [study]\nperformance = ["moved", "moved"]\n[[study.limit_state]]\nname = "moved"\nevent = "overturned"'
+only "bad.toml:13:18: excitation.building.period_s[1] = 0: must be a finite number > 0" \
+  '$a [excitation.building]\nkind = "shear"\nstoreys = 2\nfloor = 1\ndamping_ratio = 0.05\nperiod_s = [0.6, 0]\n[excitation.building.yield]\ndrift = 0.01'
+
 # A record of one component.
 expect 0 "one.csv" "$gurney" records make near_fault_pulse period_s=1 -o one.csv
 sed 's/^file.*/file = "one.csv"/' good.toml > one.toml

@@ -194,6 +194,8 @@ draws = 40
 TOML
 study 3 " failed" failing.toml -o failing.h5
 [ -e failing.h5 ] || complain "no results of a study with failed runs"
+expect 3 "failing.h5: " "$gurney" run failing.toml -o failing.h5 --overwrite --quiet
+expect 3 '"failed": ' "$gurney" run failing.toml -o failing.h5 --resume --json
 
 # Files that cannot be.
 study 2 "must end in .h5" small.toml -o a.txt
