@@ -236,11 +236,11 @@ Eigen::AlignedBox3d bounds_of(const std::vector<BodyShape>& shapes) {
   return bounds;
 }
 
-/// Parts that hang on nothing: a position in another unit, or of another origin. A slider or what is fixed has its
-/// joint anywhere.
+/// Parts that hang on nothing, or have their mass outside of themselves: a position in another unit, or of another
+/// origin. A slider or what is fixed has its joint anywhere.
 /// @throws Error beyond what a boom reaches
 void check_places(const ItemDescription& item, std::vector<std::string>& warnings) {
-  constexpr double kUsual = 1, kFarthest = 5;  // [m]
+  constexpr double kUsual = 1, kOutside = 0.1, kFarthest = 5;  // [m]
   Diagnostics errors;
   for (const PartDescription& part : item.parts) {
     const Eigen::AlignedBox3d own = bounds_of(part.shape),
@@ -249,13 +249,21 @@ void check_places(const ItemDescription& item, std::vector<std::string>& warning
     if (part.joint.kind != Joint::Kind::kSlider && part.joint.kind != Joint::Kind::kFixed)
       gap = std::max(
           {gap, own.exteriorDistance(part.joint.point), below.exteriorDistance(part.joint.point)});
-    const std::string line = fmt::format(
-        "{}part '{}': its shapes, its joint and {}, which carries it, are {:.0f} mm apart",
-        before(part.where), part.name, words_for(item, part.base), gap * kMillimetersPerMeter);
-    if (gap > kFarthest)
-      errors.add(line + fmt::format(": must be within {:g} mm", kFarthest * kMillimetersPerMeter));
-    else if (gap > kUsual)
-      warnings.push_back(line + "; positions are in mm, from the underside of the base plate");
+    const auto judge = [&](double distance, double usual, const std::string& what) {
+      const std::string line = fmt::format("{}part '{}': {}", before(part.where), part.name, what);
+      if (distance > kFarthest)
+        errors.add(line +
+                   fmt::format(": must be within {:g} mm", kFarthest * kMillimetersPerMeter));
+      else if (distance > usual)
+        warnings.push_back(line + "; positions are in mm, from the underside of the base plate");
+    };
+    judge(gap, kUsual,
+          fmt::format("its shapes, its joint and {}, which carries it, are {:.0f} mm apart",
+                      words_for(item, part.base), gap * kMillimetersPerMeter));
+    const double off = own.exteriorDistance(part.center_of_mass);
+    judge(off, kOutside,
+          fmt::format("its centre of mass is {:.0f} mm outside of its shapes",
+                      off * kMillimetersPerMeter));
   }
   errors.raise();
 }

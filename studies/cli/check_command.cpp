@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "engine/base/printable.h"
 #include "engine/base/units.h"
+#include "engine/run/rest.h"
 #include "equipment/catalogue/check_file.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/equipment_command.h"
@@ -160,6 +162,11 @@ Answer check_study(const study::StudyJob& job, int threads) {
 
 Answer check_run(const std::string& job) {
   const study::PreparedRun run = study::prepare_run(job);
+  try {
+    at_rest(run.facts.scene);
+  } catch (const Error& error) {
+    throw Error(job + ": " + error.what());
+  }
   std::vector<std::string> items;
   for (const PlacedItem& item : run.facts.scene.items)
     items.push_back(item.name.empty() ? item.model.name : item.name);

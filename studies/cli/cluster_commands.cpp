@@ -185,8 +185,8 @@ constexpr Scheduler kSlurm{"--slurm", ".sbatch", "sbatch ", script_of},
     kPbs{"--pbs", ".pbs", "qsub ", pbs_script_of}, kLsf{"--lsf", ".bsub", "bsub < ", lsf_script_of};
 
 const Scheduler& scheduler_of(const SubmitOptions& options) {
-  require(options.slurm + options.pbs + options.lsf == 1,
-          "gurney submit needs the scheduler: --slurm, --pbs or --lsf");
+  require_usage(options.slurm + options.pbs + options.lsf == 1,
+                "gurney submit needs one scheduler: --slurm, --pbs or --lsf");
   return options.slurm ? kSlurm : options.pbs ? kPbs : kLsf;
 }
 
@@ -206,20 +206,20 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 int submit_command(const SubmitOptions& asked) {
   SubmitOptions options = asked;
   for (const std::string& line : options.site)
-    require(line.starts_with(options.slurm ? "--" : "-"),
-            fmt::format("--directive {}: must be one option of the scheduler, such as {}", line,
-                        options.slurm ? "--partition=short" : "-q short"));
-  require(
+    require_usage(line.starts_with(options.slurm ? "--" : "-"),
+                  fmt::format("--directive {}: must be one option of the scheduler, such as {}",
+                              line, options.slurm ? "--partition=short" : "-q short"));
+  require_usage(
       !options.time.empty() &&
           options.time.find_first_not_of("0123456789:-") == std::string::npos &&
           is_digit(options.time.front()) && is_digit(options.time.back()),
       "--time " + options.time + ": must be as sbatch takes it, such as 90, 02:00:00 or 1-12:00");
   const Scheduler& scheduler = scheduler_of(options);
-  require(options.slurm || options.time.find('-') == std::string::npos,
-          fmt::format("--time {}: must be hours:minutes{}", options.time,
-                      options.pbs ? ":seconds" : ""));
-  require(options.slurm || options.mode == "array",
-          fmt::format("--mode allocation is for --slurm; {} has arrays", scheduler.option));
+  require_usage(options.slurm || options.time.find('-') == std::string::npos,
+                fmt::format("--time {}: must be hours:minutes{}", options.time,
+                            options.pbs ? ":seconds" : ""));
+  require_usage(options.slurm || options.mode == "array",
+                fmt::format("--mode allocation is for --slurm; {} has arrays", scheduler.option));
   const study::StudyJob job(options.job);
   const study::StudyMotions motions(job);
   const study::Plan plan(job, motions);

@@ -96,7 +96,7 @@ void OutputFiles::check(const std::string& path) const {
   require(std::filesystem::is_directory(folder, ignored),
           path + ": cannot be written: the folder " + folder + " does not exist");
   require(overwrite_ || !std::filesystem::exists(std::filesystem::symlink_status(path, ignored)),
-          path + ": exists already; give another name with -o, or --overwrite to replace it");
+          path + ": exists already; give another name, or --overwrite to replace it");
   refuse_input(path);
   require_writable_folder(path);
 }

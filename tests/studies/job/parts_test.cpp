@@ -240,6 +240,15 @@ TEST(JobParts, PartsAndContentsAreOfTheSizeOfTheItem) {
               HasSubstr("part 'drawer': its shapes, its joint and the chassis, which carries it, "
                         "are 1200 mm apart; positions are in mm"));
   EXPECT_THAT(warned(part("drawer", "[900, 0, 400]", drawer)), Not(HasSubstr("apart")));
+  // The drawer's box is 100 mm high, about 400 mm.
+  const auto with_mass_at = [&](const std::string& z) {
+    return changed(part("drawer", "[0, 0, 400]", drawer), "center_of_mass_mm = [0, 0, 400]",
+                   "center_of_mass_mm = [0, 0, " + z + "]");
+  };
+  EXPECT_THAT(warned(with_mass_at("0.4")),
+              HasSubstr("part 'drawer': its centre of mass is 350 mm outside of its shapes"));
+  EXPECT_THAT(warned(with_mass_at("500")), Not(HasSubstr("outside")));
+  EXPECT_THAT(errors_of_text(job(with_mass_at("40000"))), HasSubstr("must be within 5000 mm"));
   // A hinge far from its door; of a slider the point is any.
   const auto displaced = [&](const std::string& joint) {
     return changed(part("door", "[0, 0, 400]", "joint = \"" + joint + "\"\naxis = [1, 0, 0]\n"),

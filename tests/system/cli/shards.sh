@@ -192,9 +192,9 @@ rm job.h5
 printf '#!/bin/sh\nexit 143\n' > bin/srun
 expect 0 "scontrol requeue 9_2" env PATH="$PWD/bin:$PATH" SLURM_ARRAY_JOB_ID=9 SLURM_ARRAY_TASK_ID=2 SLURM_CPUS_PER_TASK=2 bash job.sbatch
 expect 1 "--shards 49: the study has 48 analysis cases" "$gurney" submit job.toml --slurm --shards 49
-expect 1 "needs the scheduler: --slurm, --pbs or --lsf" "$gurney" submit job.toml --shards 2
-expect 1 "needs the scheduler" "$gurney" submit job.toml --slurm --lsf --shards 2
-expect 1 "--time 1h: must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time 1h
+expect 2 "needs one scheduler: --slurm, --pbs or --lsf" "$gurney" submit job.toml --shards 2
+expect 2 "needs one scheduler" "$gurney" submit job.toml --slurm --lsf --shards 2
+expect 2 "--time 1h: must be as sbatch takes it" "$gurney" submit job.toml --slurm --shards 2 --time 1h
 expect 2 "--time: must not be empty" "$gurney" submit job.toml --slurm --shards 2 --time ""
 for control in $'\n' $'\r' $'\v' $'\x7f'; do
   expect 1 "--directive: has the control character 0x" "$gurney" submit job.toml --slurm --shards 2 --script never --sbatch "--comment=a${control}touch pwned"
@@ -221,8 +221,8 @@ expect 0 "shard    3 of 3" env LSB_JOBINDEX=3 bash job.bsub
 expect 0 "runs     96" "$gurney" merge job.h5.shards
 same long.h5 job.h5
 rm job.h5
-expect 1 "--mode allocation is for --slurm" "$gurney" submit job.toml --pbs --shards 2 --mode allocation
-expect 1 "--time 1-12:00: must be hours:minutes:seconds" "$gurney" submit job.toml --pbs --shards 2 --time 1-12:00
+expect 2 "--mode allocation is for --slurm" "$gurney" submit job.toml --pbs --shards 2 --mode allocation
+expect 2 "--time 1-12:00: must be hours:minutes:seconds" "$gurney" submit job.toml --pbs --shards 2 --time 1-12:00
 sed 's/^draws = .*/draws = 300/' job.toml > many.toml
 expect 0 "GURNEY_SHARDS_BEFORE=1000 sbatch --array=1-200%50 many.sbatch" "$gurney" submit many.toml --slurm --shards 1200 --at-most 50
 grep -qx "#SBATCH --array=1-1000%50" many.sbatch || complain "the array has indices that Slurm refuses"
@@ -243,7 +243,7 @@ gone q.h5.parts
 cp job.toml q.h5
 study 1 "q.h5: is read by this command" q.h5 -o q.h5 --overwrite
 same job.toml q.h5
-expect 1 "must be one option of the scheduler, such as --partition=short" "$gurney" submit job.toml --slurm --shards 2 --sbatch partition=x
+expect 2 "must be one option of the scheduler, such as --partition=short" "$gurney" submit job.toml --slurm --shards 2 --sbatch partition=x
 expect 2 "--shards" "$gurney" submit job.toml --slurm
 
 # From the variables of Slurm and Open MPI.
