@@ -182,12 +182,20 @@ std::vector<double> wheel_loads_of(const EquipmentModel& item, const MassPropert
 
 double tilt_of(double base, double height) { return std::atan2(base, height); }
 
-/// A height in metres under a key that ends in _mm: the mass is at the floor. Empty: it is not.
+/// A height in metres under a key that ends in _mm: the mass is at the floor, or at the underside of the base plate
+/// from which the file measures. Empty: it is not.
 std::string low_center(const EquipmentModel& item) {
-  constexpr double kLow = 0.01;  // of the height; a plate of twice this would have all the mass
+  constexpr double kLow = 0.01;     // of the height; a plate of twice this would have all the mass
+  constexpr double kMeters = 2e-3;  // 2 m under a key in mm [m]
   double height = 0;
   for (const BodyShape& shape : item.shape) height = std::max(height, shape.top());
   const double center = item.chassis_center_of_mass.z();
+  const double above = item.casters.empty() ? 0 : center - item.casters.front().mount.z();
+  if (above > 0 && above < kMeters)
+    return fmt::format(
+        "{}: the centre of mass of the chassis is {:.3g} mm above the underside of its base plate; "
+        "center_of_mass_mm is in mm",
+        item.name, above * kMillimetersPerMeter);
   if (center >= kLow * height) return {};
   return fmt::format(
       "{}: the centre of mass of the chassis is {:.3g} mm above the floor, under {:g} % of the "

@@ -8,6 +8,7 @@
 #include "engine/config/nearest_name.h"
 #include "studies/analysis/study_data.h"
 #include "studies/hospital/outcomes.h"
+#include "studies/statistics/bands.h"
 
 namespace gurney::study {
 namespace {
@@ -63,8 +64,14 @@ class RunOutcomes : public OutcomeSource {
   std::vector<std::string> cautions() const override {
     std::size_t failed = 0;
     for (std::size_t i = 0; i < data_.configurations().size(); ++i) failed += data_.failed(i);
-    if (failed == 0) return {};
-    return {fmt::format("{} failed runs are excluded", failed)};
+    std::vector<std::string> all;
+    if (failed > 0) all.push_back(fmt::format("{} failed runs are excluded", failed));
+    if (static_cast<double>(records_.size()) < statistics::kFewestGroups)
+      all.push_back(
+          fmt::format("{} records: intervals are over them, and too narrow with fewer "
+                      "than {:g}",
+                      records_.size(), statistics::kFewestGroups));
+    return all;
   }
 
  private:

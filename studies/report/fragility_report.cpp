@@ -442,6 +442,22 @@ std::vector<findings::Table> worst_level_tables(
   return tables;
 }
 
+/// The same numbers for a program.
+Section performance_json(const study::PerformanceTable& of) {
+  Section all{"performance[]"};
+  all.json("configuration", of.configuration).json("im", of.im);
+  std::vector<std::string> levels{"none"};
+  levels.insert(levels.end(), of.levels.begin(), of.levels.end());
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    std::vector<double> probability;
+    for (const auto& at : of.at) probability.push_back(at.of_level[k]);
+    Section level{"worst_level[]"};
+    level.json("level", levels[k]).json("probability", probability);
+    all.add(std::move(level));
+  }
+  return all;
+}
+
 Section fragility_findings(const study::StudyData& data,
                            const std::vector<study::FragilityResult>& results) {
   Section all;
@@ -456,6 +472,8 @@ Section fragility_findings(const study::StudyData& data,
   all.list("", "limit states", definitions(results));
   for (const study::FragilityResult& each : results)
     all.add(json_of(each, data.units().or_else("si")));
+  for (const study::PerformanceTable& each : study::performance_tables(data, results))
+    all.add(performance_json(each));
   return all;
 }
 

@@ -55,6 +55,17 @@ TEST(Stability, ARectangleLosesOneTrailOnItsShortSide) {
   EXPECT_TRUE(s.warnings.empty());
 }
 
+TEST(Stability, WarnsOfAMassAtTheBasePlateAsOfMetresInMillimetres) {
+  const double plate = cart({0, 0, 1}, kRectangle).casters[0].mount.z();
+  const auto warnings = [&](double above) {
+    return stability_of(cart({0, 0, plate + above}, kRectangle)).warnings;
+  };
+  ASSERT_EQ(warnings(0.45e-3).size(), 1u);
+  EXPECT_NE(warnings(0.45e-3)[0].find("0.45 mm above the underside of its base plate"),
+            std::string::npos);
+  EXPECT_TRUE(warnings(3e-3).empty());
+}
+
 TEST(Stability, RigidAndLockedForksDoNotTurn) {
   EquipmentModel item = cart({0, 0, 0.5}, kRectangle);
   item.casters[0].swivels = item.casters[1].swivels = false;
