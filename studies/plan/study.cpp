@@ -301,8 +301,7 @@ IntensityPlan read_intensity(Table in, const std::vector<LimitState>& states) {
     for (const char* const key : {"levels", "ida", "adaptive", "component", "unit"})
       if (in.has(key)) unclear.push_back(key), in.set_aside(key);
     if (!unclear.empty())
-      in.note("measure",
-              fmt::format(": missing; {} need one, such as \"PGA\"", fmt::join(unclear, ", ")));
+      in.note("measure", fmt::format(": missing; needed for {}", fmt::join(unclear, ", ")));
     plan.vertical = read_vertical_scaling(in);
     return plan;
   }

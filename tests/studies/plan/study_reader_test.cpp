@@ -79,7 +79,7 @@ evnts = true
             "a.toml:14:14: study.step_check = 1.5: must be a finite number >= 0 and <= 1\n"
             "a.toml:15:12: study.sampling = \"latin\": must be one of monte-carlo, "
             "latin-hypercube, sobol, saltelli; did you mean 'latin-hypercube'?\n"
-            "a.toml:17:1: study.intensity.levels_g: unknown key; known: measure, scales, vertical\n"
+            "a.toml:17:1: study.intensity.levels_g: unknown key; did you mean 'levels'?\n"
             "a.toml:19:13: study.keep.histories = \"some\": must be one of none, failed, "
             "overturned, all; did you mean 'none'?\n"
             "a.toml:20:1: study.keep.evnts: unknown key; did you mean 'events'?");
@@ -100,7 +100,7 @@ TEST(StudyReader, MoreStagesNeedLevelsAndALimitState) {
       "own levels");
   EXPECT_EQ(errors("[study.intensity]\nscales = [1]\nadaptive = { stages = 1, limit_state = "
                    "\"hit\" }\n"),
-            "a.toml:13:1: study.intensity.adaptive: unknown key; known: measure, scales, vertical");
+            "a.toml:11:1: study.intensity.measure: missing; needed for adaptive");
 }
 
 TEST(StudyReader, LevelsAndScalesMustGoUp) {

@@ -42,7 +42,7 @@ only() {
 study='$a [study]\ndraws = 2\n[study.intensity]\n'
 only "bad.toml:13:16: study.intensity.levels[1] = nan: must be a finite number > 0" \
   "${study}measure = \"PGA\"\nunit = \"g\"\nlevels = [0.1, nan]"
-only "study.intensity.measure: missing; levels, unit need one" "${study}unit = \"g\"\nlevels = [0.1, 0.2]"
+only "study.intensity.measure: missing; needed for levels, unit" "${study}unit = \"g\"\nlevels = [0.1, 0.2]"
 only "study.limit_state[0].demand = \"peak_tild\": must be a known name; did you mean 'peak_tilt'?" \
   '$a [study]\n[[study.limit_state]]\nname = "a"\ndemand = "peak_tild"\nabove = 2\nunit = "deg"'
 only 'study.performance: "moved" comes twice' '$a [study]\nperformance = ["moved", "moved"]\n[[study.limit_state]]\nname = "moved"\nevent = "overturned"'
