@@ -53,7 +53,8 @@ class Ranker {
                 ": an IDA has other levels for each record; gurney plot FILE ida "
                 "compares their capacities");
     const std::size_t count = levels_.values().size();
-    level_ = request.level.value_or(count - 1);
+    for (const std::size_t run : side.runs()) level_ = std::max(level_, levels_.of_run(run));
+    level_ = request.level.value_or(level_);
     require(level_ < count, fmt::format("--level {}: the study has {} levels", level_ + 1, count));
     for (const std::size_t run : data_.runs_of(side.configuration))
       if (levels_.of_run(run) == level_) runs_.push_back(run);

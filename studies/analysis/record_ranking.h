@@ -47,7 +47,7 @@ inline constexpr std::size_t kLeastRecords = 5;
 
 struct RankingRequest {
   std::string demand = "peak_displacement";
-  std::optional<std::size_t> level;  ///< index in Levels; none: the highest
+  std::optional<std::size_t> level;  ///< index in Levels; none: the highest that was run
 };
 
 /// One ranking for each item that has the demand. Measures that all records share to 1 %, such as

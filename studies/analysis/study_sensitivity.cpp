@@ -55,9 +55,10 @@ std::optional<std::pair<std::string, double>> median_near(const ConfigurationVie
 std::optional<std::size_t> level_of(const ConfigurationView& side, const Levels& levels,
                                     const SensitivityRequest& request, SensitivityOutput& output) {
   const StudyData& data = *side.data;
-  const std::size_t count = levels.values().size();
   if (request.level) return request.level;
-  if (request.all_levels || count < 2 || count > kMaxLevels ||
+  std::set<std::size_t> own;  // stages that are planned for each configuration have other levels
+  for (const std::size_t run : side.runs()) own.insert(levels.of_run(run));
+  if (request.all_levels || own.size() < 2 || own.size() > kMaxLevels ||
       data.study().intensity.kind == IntensityPlan::Kind::kIda)
     return {};
   const auto median = median_near(side, request);
@@ -65,15 +66,16 @@ std::optional<std::size_t> level_of(const ConfigurationView& side, const Levels&
     output.why_level =
         "the middle one, as no limit state has a curve; --level and --all-levels "
         "choose others";
-    return count / 2;
+    return *std::next(own.begin(), static_cast<std::ptrdiff_t>(own.size() / 2));
   }
-  const auto distance = [&](double im) { return std::abs(std::log(im / median->second)); };
-  const auto nearest = std::ranges::min_element(levels.values(), {}, distance);
+  const auto distance = [&](std::size_t level) {
+    return std::abs(std::log(levels.values()[level] / median->second));
+  };
   output.why_level = fmt::format(
       "nearest to the median of '{}'; --level and --all-levels choose "
       "others",
       median->first);
-  return static_cast<std::size_t>(nearest - levels.values().begin());
+  return *std::ranges::min_element(own, {}, distance);
 }
 
 std::vector<double> values_of(const ConfigurationView& side, const SensitivityRequest& request,

@@ -80,8 +80,9 @@ int hospital(const HospitalOptions& options) {
   const study::Hospital hospital = study::read_hospital(options.file);
   const auto consequences = study::Consequences::read(hospital.consequences);
   if (!options.job.empty()) {
-    write_output(options.job, study_job(hospital, consequences), options.figure.overwrite,
-                 options.json);
+    const std::string job = study_job(hospital, consequences);
+    study::StudyJob(job, options.job);  // nothing that could not be run
+    write_output(options.job, job, options.figure.overwrite, options.json);
     return 0;
   }
   study::HospitalRequest request = options.request;

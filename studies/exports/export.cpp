@@ -365,6 +365,7 @@ void export_responses(const StudyData& data, const ExportChoice& choice, const T
       std::vector<std::size_t> at_level;
       for (const std::size_t run : runs)
         if (levels.of_run[run] == level) at_level.push_back(run);
+      if (at_level.empty()) continue;  // of another configuration's stages
       take_once("demands" + tail + "_" + plain_identifier(levels.texts[level], "level") + ".csv",
                 csv_of(demands, at_level));
     }

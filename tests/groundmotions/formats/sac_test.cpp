@@ -40,6 +40,15 @@ TEST(Sac, ReadsBothByteOrdersAndVersions) {
     }
 }
 
+TEST(Sac, CountsTheDaysOfAYear) {
+  // date -u -d '2001-01-01 15:05:37.5' +%s is 978361537.
+  const auto start = [](int day) { return read({.integers = {{71, day}}}).start_time; };
+  EXPECT_EQ(start(1), 978361537.75);
+  EXPECT_EQ(start(366), 978361537.75 + 365 * 86400.0);
+  EXPECT_FALSE(start(0));
+  EXPECT_FALSE(start(367));
+}
+
 TEST(Sac, NeedsTheUnit) {
   EXPECT_THAT(error({}, {}), HasSubstr("f: a SAC file does not state its unit; state it as unit"));
   EXPECT_NEAR(read({}, {.unit = "g"}).acceleration[1], -1.25 * kStandardGravity, 1e-14);

@@ -19,9 +19,7 @@ using testing::HasSubstr;
 class MeasureChoiceTest : public testing::Test {
  protected:
   StudyData data(const std::vector<SyntheticRun>& runs, std::size_t records) {
-    SyntheticRuns study{.job = synthetic_job(), .records = {}, .files = {}, .runs = runs};
-    for (std::size_t i = 0; i < records; ++i) study.records.push_back("r" + std::to_string(i));
-    study.write(folder_.file("s.h5"));
+    study_of_records(records, runs).write(folder_.file("s.h5"));
     return StudyData(folder_.file("s.h5"));
   }
   TempFolder folder_;

@@ -131,6 +131,26 @@ TEST_F(StudySensitivityTest, LevelsAreAnInputUnlessOneIsChosen) {
   EXPECT_ERROR(study_sensitivity({&study, 0}, second), "has no level 3; it has 1 to 2");
 }
 
+// Stages planned for each configuration: the levels 1 and 4 of one, 2 of the other.
+TEST_F(StudySensitivityTest, TheLevelIsOneThatTheConfigurationHas) {
+  SyntheticRuns study{.job = synthetic_job("draws = 9\n", kBrakes),
+                      .configurations = {"false", "true"},
+                      .records = {"r"},
+                      .files = {},
+                      .runs = {}};
+  for (const auto& [configuration, level] : {std::pair{0, 1.0}, {0, 4.0}, {1, 2.0}})
+    for (SyntheticRun run : linear(40)) {
+      run.configuration = static_cast<std::size_t>(configuration);
+      run.level = level;
+      study.runs.push_back(run);
+    }
+  study.write(folder_.file("stages.h5"));
+  const StudyData stages(folder_.file("stages.h5"));
+  const SensitivityRequest any{.demand = "peak_displacement", .limit = "", .level = {}};
+  for (const std::size_t configuration : {0, 1})
+    EXPECT_EQ(study_sensitivity({&stages, configuration}, any).runs, 40) << configuration;
+}
+
 TEST_F(StudySensitivityTest, LimitStatesAreOutputsToo) {
   std::vector<SyntheticRun> runs = linear(200);
   for (SyntheticRun& run : runs)

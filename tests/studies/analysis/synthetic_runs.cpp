@@ -157,6 +157,12 @@ void SyntheticRuns::write(const std::string& path) const {
   file.finish();
 }
 
+SyntheticRuns study_of_records(std::size_t records, const std::vector<SyntheticRun>& runs) {
+  SyntheticRuns study{.job = synthetic_job(), .records = {}, .files = {}, .runs = runs};
+  for (std::size_t i = 0; i < records; ++i) study.records.push_back("r" + std::to_string(i));
+  return study;
+}
+
 std::string synthetic_job(const std::string& in_study, const std::string& after) {
   return "schema = \"gurney-job/1\"\n[item]\nequipment = \"cart\"\n[study]\nmeasures = \"PGV "
          "h1\"\n" +

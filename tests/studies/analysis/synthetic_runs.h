@@ -42,6 +42,9 @@ struct SyntheticRuns {
   void write(const std::string& path) const;
 };
 
+/// These runs of one configuration under `records` records r0, r1 and so on.
+SyntheticRuns study_of_records(std::size_t records, const std::vector<SyntheticRun>& runs);
+
 /// Levels 1 and 2 m/s2 of PGA, limit states `moved` (above 0.1 m) and `fell`, and what is given.
 std::string synthetic_job(const std::string& in_study = "", const std::string& after = "");
 

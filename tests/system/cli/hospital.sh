@@ -88,6 +88,11 @@ expect 1 "bay.csv:2:1: not valid TOML" "$gurney" hospital listed.toml
 sed 's/^pgv_m_per_s.*/pgv_m_per_s = []/' ward.toml > empty.toml
 expect 1 "empty.toml:5:15: motion.pgv_m_per_s = []: must have 1 or more values" "$gurney" hospital empty.toml
 
+# A job that could not be run is not written.
+sed 's/white_noise/white_nois/' ward.toml > typo.toml
+expect 1 "did you mean 'white_noise'?" "$gurney" hospital typo.toml --job typo_job.toml
+[ -e typo_job.toml ] && complain "a job that is wrong was written"
+
 # The study that the hospital becomes, run at once, in shards, and continued.
 expect 0 "beds out" "$gurney" hospital ward.toml --run whole.h5 -j 2
 cp stdout whole
