@@ -1,5 +1,7 @@
 #include "engine/config/overlay.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -16,6 +18,15 @@ bool is_array_of_tables(const Node& node) {
   return node.kind == Node::Kind::kArray && !node.elements.empty() &&
          std::all_of(node.elements.begin(), node.elements.end(),
                      [](const Node& each) { return each.kind == Node::Kind::kTable; });
+}
+
+/// Of a switch and a number one is wrong: no key takes both.
+bool differ_in_kind(const Node& a, const Node& b) {
+  const auto is_number = [](const Node& node) {
+    return node.kind == Node::Kind::kInteger || node.kind == Node::Kind::kNumber;
+  };
+  return (a.kind == Node::Kind::kBoolean && is_number(b)) ||
+         (is_number(a) && b.kind == Node::Kind::kBoolean);
 }
 
 std::string name_of(const Node& table) {
@@ -62,8 +73,14 @@ void overlay(Node& base, const Node& patch, const std::string& path, Document& d
       overlay(*target, change, path + '.' + change.key, document);
     else if (is_array_of_tables(*target) && change.kind == Node::Kind::kTable)
       overlay_tables(*target, change, path + '.' + change.key, document);
-    else
+    else {
+      if (differ_in_kind(*target, change))
+        document.note(
+            target->place,
+            fmt::format("{} = {}: must be {}, as what replaces it", target->key, describe(*target),
+                        change.kind == Node::Kind::kBoolean ? "true or false" : "a number"));
       *target = change;
+    }
   }
 }
 

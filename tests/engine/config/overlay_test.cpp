@@ -55,6 +55,18 @@ part."*".m = 8
   EXPECT_EQ(parts[1].where("n"), "a.toml:6:14");  // the place in the patch
 }
 
+TEST(Overlay, RefusesToReplaceANumberByASwitch) {
+  Document base("brakes = 0\nangle = 1\nspin = true\n", "a.toml");
+  const Document patch("brakes = true\nangle = 1.5\nspin = 2\n", "a.toml");
+  Node tree = base.tree();
+  overlay(tree, patch.tree(), "patch", base);
+  Table root = base.root();
+  for (const char* key : {"brakes", "angle", "spin"}) root.set_aside(key);
+  EXPECT_EQ(error_text([&] { base.finish(); }),
+            "a.toml:1:10: brakes = 0: must be true or false, as what replaces it\n"
+            "a.toml:3:8: spin = true: must be a number, as what replaces it");
+}
+
 TEST(Overlay, NotesNamesThatNoTableHas) {
   Document base("[[part]]\nname = 'one'\n", "a.toml");
   const Document patch("part.on.n = 1\npart.one = 2\n", "a.toml");
