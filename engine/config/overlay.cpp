@@ -20,7 +20,7 @@ bool is_array_of_tables(const Node& node) {
                      [](const Node& each) { return each.kind == Node::Kind::kTable; });
 }
 
-/// Of a switch and a number one is wrong: no key takes both.
+/// Whether one is a switch and the other a number: no key takes both.
 bool differ_in_kind(const Node& a, const Node& b) {
   const auto is_number = [](const Node& node) {
     return node.kind == Node::Kind::kInteger || node.kind == Node::Kind::kNumber;

@@ -34,7 +34,7 @@ void subtract_matrices(const double* a, Eigen::Index stride_a, const double* b, 
     }
 }
 
-/// Of a row of whole groups of four with a column.
+/// Product of a row of whole groups of four with a column.
 double product(const double* row, const double* column, Eigen::Index length) {
   Lanes sum{};
   for (Eigen::Index j = 0; j < length; j += kFour)

@@ -73,12 +73,11 @@ StageSolver::Layout StageSolver::layout_of(std::size_t item) const {
   return layout;
 }
 
-bool StageSolver::has_factors(const Input& input) {
+bool StageSolver::has_factors(const Input& input) const {
   const std::vector<std::size_t>& island = input.island->items;
   const Factors& factors = factors_[island.front()];
   if (island.size() == 1 || factors.items != island) return false;
   if (std::abs(factors.tau - input.tau) > kLikeTau * input.tau) return false;
-  for (std::size_t p = 0; p < island.size(); ++p) block_of_[island[p]] = island.size() - 1 - p;
   return std::ranges::equal(island, factors.layouts, {},
                             [&](std::size_t i) { return layout_of(i); });
 }
@@ -93,8 +92,7 @@ void StageSolver::factor(const Input& input) {
   for (std::size_t i : island) factors.layouts.push_back(layout_of(i));
   // Items that hang or stand on others come later in the scene and are eliminated first.
   system.clear();
-  for (std::size_t p = island.size(); p-- > 0;)
-    block_of_[island[p]] = system.add_block(factors.layouts[p].size);
+  for (std::size_t p = island.size(); p-- > 0;) system.add_block(factors.layouts[p].size);
   system.set_zero();
   for (std::size_t p = 0; p < island.size(); ++p) {
     const ItemStage& item = items_[island[p]];

@@ -14,9 +14,12 @@ namespace {
 constexpr double kGeometryTolerance = 1e-3;
 constexpr int kMaxGeometryPasses = 6;
 
-/// A matrix serves again where this many steps with it are expected to settle a stage: each costs a third of one
-/// with a matrix of its own.
-constexpr int kStepsWithOneMatrix = 3;
+/// Whether a matrix serves again: where three steps with it, which cost as much as one with a matrix of its own, are
+/// expected to settle a stage.
+/// @param left  part of a residual that a step with it leaves
+bool serves_again(double residual, double left, double tolerance) {
+  return residual * left * left * left <= tolerance;
+}
 
 constexpr int kMaxBacktracks = 6;
 constexpr int kIterationsBeforeBacktracking = 4;
@@ -91,9 +94,11 @@ bool StageSolver::solve(const Input& input, Output& out) {
   const std::vector<std::size_t>& island = input.island->items;
   // Rounding of M v shows in the residual as M g tau gets small.
   double speed = 0;
+  std::size_t blocks = island.size();  // the last item's comes first
   for (std::size_t i : island) {
     set_input(input, i);
     v_[i] = input.guess[i];
+    block_of_[i] = --blocks;
     speed = std::max(speed, v_[i].chassis.head<3>().norm());
   }
   const double rounding = 1e-14 * (speed + 1e-3) / (kStandardGravity * input.tau);
@@ -105,26 +110,25 @@ bool StageSolver::solve(const Input& input, Output& out) {
     double residual = evaluate_forces(input, v_);
     int iteration = 0, full_steps = 0;
     Factors& factors = factors_[island.front()];
-    // Part of a residual that a step with the last matrix leaves.
     double left = has_factors(input) ? factors.left : 1;
     for (; residual > tolerance && iteration < settings_.max_iterations; ++iteration) {
       // Full steps settle most stages in two or three; halving them is for those that cycle between pieces of a law.
-      const bool anew = !(residual * std::pow(left, kStepsWithOneMatrix) <= tolerance);
-      const bool may_backtrack = anew && full_steps >= kIterationsBeforeBacktracking;
-      const bool may_return = may_backtrack || !anew;
-      if (may_return)
+      const bool anew = !serves_again(residual, left, tolerance);
+      // A step with an earlier matrix that leads nowhere is taken back as a whole.
+      const int trials = !anew                                        ? 1
+                         : full_steps < kIterationsBeforeBacktracking ? 0
+                                                                      : kMaxBacktracks;
+      if (trials > 0)
         for (std::size_t i : island) before_[i] = v_[i];
       newton_step(input, anew, v_);
       full_steps += anew;
       double next = evaluate_forces(input, v_);
-      if (may_return && !(next < residual)) {
-        for (std::size_t i : island) full_[i] = v_[i];
-        double fraction = 1;
-        for (int k = 0; k < (anew ? kMaxBacktracks : 1) && !(next < residual); ++k) {
-          fraction = anew ? 0.5 * fraction : 0;
-          take(island, fraction);
-          next = evaluate_forces(input, v_);
-        }
+      double part = anew ? 1 : 0;
+      for (int k = 0; k < trials && !(next < residual); ++k) {
+        if (k == 0)
+          for (std::size_t i : island) full_[i] = v_[i];
+        take(island, part *= 0.5);
+        next = evaluate_forces(input, v_);
       }
       if (island.size() > 1) left = factors.left = next / residual;
       residual = next;

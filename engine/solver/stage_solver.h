@@ -92,9 +92,6 @@ class StageSolver {
     std::size_t part() const { return law->joint().part; }
   };
 
-  void set_input(const Input& input, std::size_t item);
-  void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
-  double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
   /// Unknowns of an item in the common system of its island: the chassis, then the joints it keeps.
   struct Layout {
     Eigen::Index size = 6;
@@ -111,10 +108,13 @@ class StageSolver {
     double left = 1;              ///< part of the residual that the last step left
   };
 
+  void set_input(const Input& input, std::size_t item);
+  void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
+  double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
   /// Adds a step of Newton's method to v, with the matrix of this velocity or the last one.
   void newton_step(const Input& input, bool anew, std::vector<Velocity>& v);
   void set_matrices(const Input& input);
-  bool has_factors(const Input& input);
+  bool has_factors(const Input& input) const;
   void factor(const Input& input);
   void couple(const ContactWork& work, Factors& factors);
   void couple(const JointWork& work, Factors& factors);

@@ -38,8 +38,8 @@ inline study::CurveMethod curve_method(const std::string& method) {
   return method == "cloud" ? study::CurveMethod::kCloud : study::CurveMethod::kOwn;
 }
 
-/// Of the configurations that are named, or all, those that have runs with results. What is left out is said
-/// on the error stream.
+/// Indices of those configurations, of the named ones or all, that have runs with results. What is left out is
+/// said on the error stream.
 /// @throws Error if none has
 std::vector<std::size_t> configurations_with_runs(const study::StudyData& data,
                                                   const std::vector<std::string>& texts);

@@ -52,7 +52,8 @@ Html notes_of(const StudyPage& page) {
 
 Html performance_of(const StudyPage& page) {
   Html all;
-  for (const findings::Table& of : report::worst_level_tables(page.data, page.fragilities))
+  for (const findings::Table& of : report::worst_level_tables(
+           page.data, page.fragilities, study::performance_tables(page.data, page.fragilities)))
     all += html(of);
   return all.empty() ? all : element("h3", "Performance levels") + all;
 }

@@ -418,9 +418,10 @@ findings::Table fragility_table(const std::vector<study::FragilityResult>& resul
 }
 
 std::vector<findings::Table> worst_level_tables(
-    const study::StudyData& data, const std::vector<study::FragilityResult>& results) {
+    const study::StudyData& data, const std::vector<study::FragilityResult>& results,
+    const std::vector<study::PerformanceTable>& performance) {
   std::vector<findings::Table> tables;
-  for (const study::PerformanceTable& of : study::performance_tables(data, results)) {
+  for (const study::PerformanceTable& of : performance) {
     const study::RunMeasure& measure = results.front().measure;
     const findings::Format percent{".1f", "%", 0.01};
     findings::Table table{
@@ -442,7 +443,7 @@ std::vector<findings::Table> worst_level_tables(
   return tables;
 }
 
-/// The same numbers for a program.
+/// Performance levels as arrays, for programs.
 Section performance_json(const study::PerformanceTable& of) {
   Section all{"performance[]"};
   all.json("configuration", of.configuration).json("im", of.im);
@@ -468,12 +469,13 @@ Section fragility_findings(const study::StudyData& data,
                       results.front().by_cloud() ? ", by regression of demands (cloud)" : ""));
   all.add(fragility_table(results, unit, false));
   all.list("", "notes", notes_on_curves(results, unit));
-  for (findings::Table& each : worst_level_tables(data, results)) all.add(std::move(each));
+  const auto performance = study::performance_tables(data, results);
+  for (findings::Table& each : worst_level_tables(data, results, performance))
+    all.add(std::move(each));
   all.list("", "limit states", definitions(results));
   for (const study::FragilityResult& each : results)
     all.add(json_of(each, data.units().or_else("si")));
-  for (const study::PerformanceTable& each : study::performance_tables(data, results))
-    all.add(performance_json(each));
+  for (const study::PerformanceTable& each : performance) all.add(performance_json(each));
   return all;
 }
 

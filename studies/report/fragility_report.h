@@ -14,8 +14,9 @@ findings::Table fragility_table(const std::vector<study::FragilityResult>& resul
                                 const study::ReportUnit& unit, bool rates);
 
 /// For each configuration the probability that each level is the worst that is reached.
-std::vector<findings::Table> worst_level_tables(const study::StudyData& data,
-                                                const std::vector<study::FragilityResult>& results);
+std::vector<findings::Table> worst_level_tables(
+    const study::StudyData& data, const std::vector<study::FragilityResult>& results,
+    const std::vector<study::PerformanceTable>& performance);
 
 /// A table with a row for each configuration and limit state, and below it what to know of them.
 /// JSON is in SI unless units are chosen; no curve: null.
