@@ -54,7 +54,7 @@ JointLaw::JointLaw(const Joint& joint, const Mechanism& base, const Mechanism& p
       Eigen::SelfAdjointEigenSolver<Matrix3>(part.chassis.inertia).eigenvalues().maxCoeff();
   // Squared radius of gyration about the joint: the same omega_c for rotations.
   hold_turn_ = hold_ * (largest / part.chassis.mass + on_part_.squaredNorm());
-  friction_.stiffness = joint.friction / kFrictionYield;
+  friction_.stiffness = joint.friction / kYield;
 }
 
 JointLaw::JointLaw(const Tether& tether, std::size_t index, const Mechanism& anchor_item,
@@ -265,7 +265,7 @@ double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rat
 double JointLaw::past_release(const JointState& state) const {
   if (!state.latched || !releases()) return -1;
   if (cord_) return (state.wind - cord_->strength) / cord_->stiffness;
-  return std::abs(state.coordinate - state.latched_at) - kLatchYield;
+  return std::abs(state.coordinate - state.latched_at) - kYield;
 }
 
 double JointLaw::work_latch(double rate, JointState& state) const {

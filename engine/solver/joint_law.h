@@ -34,7 +34,7 @@ class JointLaw {
   static constexpr double kHoldFrequency = 1e4;  ///< omega_c [rad/s]
   static constexpr double kHoldTime = 0.01;      ///< T_c [s]
   /// Stuck friction and a latch yield by this until they let go [m], [rad].
-  static constexpr double kFrictionYield = 1e-4, kLatchYield = 1e-3;
+  static constexpr double kYield = 1e-4;
   /// A latch nearer than this to its release lets go [m], [rad].
   static constexpr double kReleaseDistance = 1e-9;
   /// A latch that catches its part again does so when that is so near and slow [m, rad], [m/s, rad/s].
@@ -123,7 +123,7 @@ class JointLaw {
   bool slides() const { return joint_.kind == Joint::Kind::kSlider; }
   bool locked() const { return std::isinf(joint_.latch); }
   double latch_stiffness() const {
-    return locked() ? (slides() ? hold_ : hold_turn_) : joint_.latch / kLatchYield;
+    return locked() ? (slides() ? hold_ : hold_turn_) : joint_.latch / kYield;
   }
 
   Joint joint_;
