@@ -60,6 +60,12 @@ void ImpactLog::begin(Pair& pair, const BodyContact& contact, const PairStep& no
   impacts_.push_back(impact);
 }
 
+ImpactLog::Pair& ImpactLog::pair_of(const Key& key) {
+  const auto known = std::ranges::lower_bound(pairs_, key, {}, &std::pair<Key, Pair>::first);
+  if (known != pairs_.end() && known->first == key) return known->second;
+  return pairs_.emplace(known, key, Pair())->second;
+}
+
 ImpactLog::PairStep& ImpactLog::step_of(const Key& key) {
   const auto known = std::ranges::find(steps_, key, &std::pair<Key, PairStep>::first);
   return known != steps_.end() ? known->second : steps_.emplace_back(key, PairStep()).second;
@@ -83,8 +89,7 @@ void ImpactLog::observe(const Stepper::Step& step) {
     const double d0 = before[c].compression, d1 = after[c].compression;
     const double crossing = step.time + (d0 * d1 < 0 ? step.duration * d0 / (d0 - d1) : 0.0);
     if (first.normal_force > 0 || end.normal_force > 0) {
-      const bool was_touching = pairs_[key].touches;
-      if (d0 <= 0 || !was_touching) {
+      if (d0 <= 0 || !pair_of(key).touches) {
         now.approach = std::max(now.approach, before[c].approach_speed);
         if (crossing < now.begins) {
           now.begins = crossing;
@@ -95,14 +100,14 @@ void ImpactLog::observe(const Stepper::Step& step) {
     if (first.normal_force > 0 || d0 > 0)
       now.ends = std::max(now.ends, d1 < 0 ? crossing : step.time);
   }
-  for (auto& [key, pair] : pairs_)
+  for (const auto& [key, pair] : pairs_)
     if (in_island(key, *step.island) &&
         std::ranges::find(steps_, key, &std::pair<Key, PairStep>::first) == steps_.end())
       step_of(key).ends = step.time;
   // Impacts that begin in one step are listed by their pair.
   std::ranges::sort(steps_, {}, &std::pair<Key, PairStep>::first);
   for (auto& [key, now] : steps_) {
-    Pair& pair = pairs_[key];
+    Pair& pair = pair_of(key);
     if (!pair.in_impact && now.approach > kSlowestImpact) begin(pair, *now.contact, now);
     pair.touches = now.force > 0;
     if (!pair.in_impact) continue;
@@ -122,6 +127,7 @@ void ImpactLog::observe(const Stepper::Step& step) {
       pair.in_impact = false;
     }
   }
+  std::erase_if(pairs_, [](const auto& each) { return !each.second.touches; });
 }
 
 ImpactLog::Kinds ImpactLog::impacts_of(std::size_t item) const {

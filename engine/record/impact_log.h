@@ -2,7 +2,6 @@
 
 #include <array>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,13 +60,15 @@ class ImpactLog {
   using Key = std::array<int, 5>;  // item, caster, other, other item, its caster
   static Key key_of(const BodyContact& contact);
   bool in_island(const Key& key, const Island& island) const;
+  /// Memory of a pair that touches, made when first asked for.
+  Pair& pair_of(const Key& key);
   /// Entry of a pair in this step, made when first asked for.
   PairStep& step_of(const Key& key);
 
   const Assembly& assembly_;
   std::vector<std::vector<std::string>> wheels_;  // of each item
   std::vector<std::string> others_, items_;
-  std::map<Key, Pair> pairs_;
+  std::vector<std::pair<Key, Pair>> pairs_;      // that touch, by their keys
   std::vector<std::pair<Key, PairStep>> steps_;  // of the step that is observed
   std::vector<Impact> impacts_;
 };

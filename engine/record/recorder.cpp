@@ -74,7 +74,8 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   }
   origin_start_ = start.position + rotation * origin_;
   const std::optional<Support>& on = scene.items[item].on;
-  const bool on_part = on && on->kind == Support::Kind::kItem && assembly.is_part(on->index);
+  on_item_ = on && on->kind == Support::Kind::kItem;
+  const bool on_part = on_item_ && assembly.is_part(on->index);
   if (assembly.is_part(item) || on_part) {
     const auto settled = [&](std::size_t i) -> Vector3 {
       const Vector3& center = assembly.items[i].chassis.center_of_mass;
@@ -299,7 +300,7 @@ void Recorder::finish(const SceneState& state, const EnergyAccount& account, dou
                       Response& response) {
   ItemResponse item;
   Demands& d = item.demands = demands_;
-  d.time_of_overturning = overturned_at;
+  (on_item_ ? d.time_of_toppling : d.time_of_overturning) = overturned_at;
   d.residual_displacement = horizontal(current_.displacement);
   d.residual_displacement_x = current_.displacement.x();
   d.residual_displacement_y = current_.displacement.y();

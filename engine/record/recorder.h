@@ -39,7 +39,7 @@ class Recorder {
 
   /// At the last step. A part turns on its joint without overturning.
   RunClock::ItemMotion motion() const {
-    return {speed_, body_speed_, assembly_.is_part(item_) ? 0 : current_.tilt};
+    return {speed_, body_speed_, assembly_.is_part(item_) ? 0 : current_.tilt, on_item_};
   }
 
   /// Moves the item to `response`, whose impacts are there, and its energy errors to the quality.
@@ -80,6 +80,7 @@ class Recorder {
   // stands on a part, once settled, from where the origin was placed and less what the whole item settles.
   Vector3 tracked_ = Vector3::Zero(), settled_ = Vector3::Zero();
   double yaw_start_, yaw_;
+  bool on_item_ = false;  // it stands on another
   bool has_overturned_ = false;
   double gravitational_start_, stored_start_;
   EnergyBalance sampled_, checked_;

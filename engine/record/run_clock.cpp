@@ -49,6 +49,7 @@ void RunClock::observe(double time, const std::vector<ItemMotion>& items) {
     speed = std::max(speed, lay ? items[i].body_speed : items[i].speed);
     if (lay || !(items[i].tilt > settings_.overturn_tilt)) continue;
     overturned_at_[i] = time;
+    if (items[i].on_item) continue;
     any_overturned_ = true;
     outcome_ = Outcome::kOverturned;
   }

@@ -33,13 +33,14 @@ class RunClock {
   /// which an item that lies on the floor rests [m/s].
   struct ItemMotion {
     double speed = 0, body_speed = 0, tilt = 0;
+    bool on_item = false;  ///< it stands on another, where it topples: the run goes on
   };
 
   /// Ends the run when all items rest, or one has overturned and is not followed to rest.
   void observe(double time, const std::vector<ItemMotion>& items);
   void stop(Outcome outcome, std::string cause = {});
 
-  /// When the item overturned; < 0: not [s].
+  /// When the item overturned or toppled; < 0: not [s].
   double overturned_at(std::size_t item) const {
     return item < overturned_at_.size() ? overturned_at_[item] : -1;
   }

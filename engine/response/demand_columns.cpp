@@ -35,10 +35,11 @@ constexpr TableColumn<Demands> kDemands[] = {
      &Demands::lifted_time},
     {"most_wheels_lifted", "1", "largest number of wheels off the floor at once",
      &Demands::most_wheels_lifted},
-    {"time_of_overturning", "s", "time at which the item overturned; -1: it did not",
+    {"time_of_overturning", "s",
+     "time at which the item overturned; -1: it did not, or stands on another",
      &Demands::time_of_overturning, -1},
     {"direction_of_overturning", "rad",
-     "direction in which the item overturned, from the floor's x axis; NaN: it did not",
+     "direction in which the item overturned or toppled, from the floor's x axis; NaN: it did not",
      &Demands::direction_of_overturning, kNaN},
     {"impacts", "1", "number of impacts of the item", &Demands::impacts},
     {"largest_approach_speed", "m/s", "largest approach speed of its impacts",
@@ -54,6 +55,11 @@ constexpr TableColumn<Demands> kDemands[] = {
      "time at which its centre of mass is below that surface, or has come down with it below half "
      "of its height; -1: it did not fall",
      &Demands::time_of_fall, -1},
+    {"time_of_toppling", "s",
+     "time at which an item that stands on another has tipped over, there or on its way down; -1: "
+     "it "
+     "did not",
+     &Demands::time_of_toppling, -1},
     {"peak_travel", "m", "largest travel of a part on its slider; NaN: it is on none",
      &Demands::peak_travel, kNaN},
     {"residual_travel", "m", "travel at the end", &Demands::residual_travel, kNaN},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -50,9 +51,9 @@ struct Demands {
   double peak_normal_force = 0;     ///< largest of any wheel [N]
   double lifted_time = 0;           ///< while at least one wheel is off the floor [s]
   int most_wheels_lifted = 0;       ///< at once
-  double time_of_overturning = -1;  ///< < 0: not overturned [s]
-  /// Where the item's z axis leans to as it overturns, from the floor's x axis, -pi to pi; NaN: not
-  /// overturned [rad].
+  double time_of_overturning = -1;  ///< of what stands on no other item; < 0: not overturned [s]
+  /// Where the item's z axis leans to as it overturns or topples, from the floor's x axis, -pi to pi;
+  /// NaN: it did not [rad].
   double direction_of_overturning = std::numeric_limits<double>::quiet_NaN();
   int impacts = 0;                    ///< of this item: see Response::impacts
   double largest_approach_speed = 0;  ///< of an impact [m/s]
@@ -62,7 +63,8 @@ struct Demands {
   /// Largest distance along the surface above the floor that the item stands on, from its place on it
   /// [m], until it falls; NaN: it stands on the floor.
   double peak_slide = std::numeric_limits<double>::quiet_NaN();
-  double time_of_fall = -1;  ///< below that surface, or come down with it; < 0: it did not [s]
+  double time_of_fall = -1;      ///< below that surface, or come down with it; < 0: it did not [s]
+  double time_of_toppling = -1;  ///< of what stands on another item; < 0: it did not [s]
   // Motion of a part on its joint; NaN: it is none, or its joint does not move so.
   double peak_travel = std::numeric_limits<double>::quiet_NaN();  ///< largest |q| of a slider [m]
   double residual_travel = std::numeric_limits<double>::quiet_NaN();  ///< q at the end [m]
@@ -74,6 +76,9 @@ struct Demands {
   double largest_stop_speed = std::numeric_limits<double>::quiet_NaN();
   std::vector<WheelDemands> wheels;  ///< one for each caster
   std::vector<PointDemands> points;  ///< one for each marked point
+
+  /// Since when it lies, overturned or toppled; < 0: it does not [s].
+  double lies_from() const { return std::max(time_of_overturning, time_of_toppling); }
 };
 
 }  // namespace gurney

@@ -36,7 +36,7 @@ Judged judged_demands(const Scene& scene, const FloorMotion& floor,
     for (std::size_t k = 0; k < numbers.size(); ++k)
       of_item.push_back(
           found[i].verdict != Predictability::Verdict::kChaotic &&
-          is_asked(numbers[k], demands.time_of_overturning >= 0) && !numbers[k].counts_events() &&
+          is_asked(numbers[k], demands.lies_from() >= 0) && !numbers[k].counts_events() &&
           std::abs(change_between(numbers[k], twin[k])) < Predictability::kChaotic * kPerturbation);
   }
   return judged;

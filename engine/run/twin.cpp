@@ -14,7 +14,7 @@ constexpr double kLeastDisplacement = Predictability::kLeastDisplacement,
                  kLeastTilt = Predictability::kLeastTilt, kLeastYaw = Predictability::kLeastYaw;
 
 double time_of_peaks(const Demands& d) {
-  if (d.time_of_overturning >= 0) return d.time_of_overturning;
+  if (d.lies_from() >= 0) return d.lies_from();
   const bool moves = d.peak_displacement >= kLeastDisplacement, tilts = d.peak_tilt >= kLeastTilt;
   return std::max(moves ? d.time_of_peak_displacement : 0, tilts ? d.time_of_peak_tilt : 0);
 }
@@ -57,8 +57,7 @@ Predictability of_item(const ItemResponse& run, const ItemResponse& twin) {
     if (std::isnan(result.horizon) && !(grown < Predictability::kSensitive))
       result.horizon = sample.time;
   }
-  const bool one_overturns =
-      (run.demands.time_of_overturning >= 0) != (twin.demands.time_of_overturning >= 0);
+  const bool one_overturns = (run.demands.lies_from() >= 0) != (twin.demands.lies_from() >= 0);
   result.verdict =
       one_overturns ? Predictability::Verdict::kChaotic : verdict_of(result.amplification_at_peaks);
   return result;
@@ -86,7 +85,7 @@ double change_of_place(const Demands& run, const Demands& half) {
 double least_gap(const Scene& scene, const Response& run, std::size_t i, std::size_t j) {
   const ItemResponse &a = run.items[i], &b = run.items[j];
   const auto radius = [&](std::size_t k) {
-    return radius_of(scene.items[k].model, run.items[k].demands.time_of_overturning >= 0);
+    return radius_of(scene.items[k].model, run.items[k].demands.lies_from() >= 0);
   };
   const Vector2 from =
       (scene.items[i].initial.position - scene.items[j].initial.position).head<2>();

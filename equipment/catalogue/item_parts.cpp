@@ -49,13 +49,15 @@ void read_coordinate(Quantities& in, bool slides, Uncertain<PartDescription>& pa
     if (!table.has(key)) return;
     part.set(joint(member), slides ? in.length_mm(key, range) : in.angle_deg(key, range));
   };
+  const auto errors = table.document().errors();
   place(keys.lower, Range::within(-1e6, 0), &Joint::lower);
   place(keys.upper, Range::not_negative(), &Joint::upper);
   place(keys.rest, Range::any(), &Joint::rest);
   if (table.has(keys.rest) && !table.has(keys.stiffness))
     table.note(keys.rest, fmt::format(": must go with {}", keys.stiffness));
   part.set(joint(&Joint::friction), in.number(keys.friction, Range::not_negative(), 0.0));
-  if (part.stated().joint.lower == 0 && part.stated().joint.upper == 0)
+  if (table.document().errors() == errors && part.stated().joint.lower == 0 &&
+      part.stated().joint.upper == 0)
     table.note(keys.upper,
                fmt::format(
                    " = 0: leaves no way between the stops, as {} = 0; a part that does not move is "
@@ -139,7 +141,10 @@ Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescript
   fixed.name = read_name(table);
   fixed.where = table.where("position_mm");
   fixed.base = read_carrier(table, "on", before);
+  const auto errors = table.document().errors();
   const auto kind = static_cast<JointKind>(table.choice("joint", kJointKinds));
+  if (table.document().errors() > errors)  // which keys a joint of its kind has is not known
+    for (const std::string& key : table.keys()) table.set_aside(key);
   fixed.joint.kind = kind;
   fixed.joint.name = fixed.name;
   fixed.joint.axis = axis_of_joint(table, kind);

@@ -102,7 +102,8 @@ std::vector<double> FileValues::operator()(std::size_t run, const Quantity& quan
   const std::vector<double>& column = numbers(place.table + "/" + quantity.column);
   std::vector<double> values;
   for (std::size_t row = first; row < last; ++row) {
-    if (!quantity.item.empty() && strings(place.table + "/item")[row] != quantity.item) continue;
+    const bool has_items = quantity.of == Quantity::Of::kItem || !quantity.item.empty();
+    if (has_items && !counts_of(quantity, strings(place.table + "/item")[row])) continue;
     if (!place.part.empty() && strings(place.table + "/" + place.part)[row] != quantity.part)
       continue;
     values.push_back(column[row]);

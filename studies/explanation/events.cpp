@@ -62,7 +62,7 @@ std::string casters_text(const EquipmentModel& item, const std::vector<std::size
 
 /// Samples until the item has overturned.
 std::span<const Sample> upright(const ItemResponse& item) {
-  const double fall = item.demands.time_of_overturning;
+  const double fall = item.demands.lies_from();
   if (fall < 0) return item.history;
   const auto end = std::ranges::upper_bound(item.history, fall, {}, &Sample::time);
   return {item.history.begin(), end};
@@ -70,7 +70,7 @@ std::span<const Sample> upright(const ItemResponse& item) {
 
 void add_lifts(const std::string& name, const EquipmentModel& model, const ItemResponse& item,
                std::vector<Event>& events) {
-  const bool overturned = item.demands.time_of_overturning >= 0;
+  const bool overturned = item.demands.lies_from() >= 0;
   for (const Lift& lift : stated_lifts(lifts_of(model, upright(item)), overturned)) {
     const std::string casters = casters_text(model, lift.casters);
     events.push_back({lift.from, EventKind::kLiftOff, name, casters,
@@ -123,13 +123,13 @@ void add_item(const std::string& name, const EquipmentModel& model, const ItemRe
   else
     add_lifts(name, model, item, events);
   if (d.time_of_fall >= 0) events.push_back({d.time_of_fall, EventKind::kFell, name, "", 0});
-  if (d.time_of_overturning >= 0)
-    events.push_back(
-        {d.time_of_overturning, EventKind::kOverturned, name, "", d.direction_of_overturning});
+  for (const auto& [time, kind] : {std::pair{d.time_of_toppling, EventKind::kToppled},
+                                   {d.time_of_overturning, EventKind::kOverturned}})
+    if (time >= 0) events.push_back({time, kind, name, "", d.direction_of_overturning});
   if (d.peak_displacement >= kVisible)
     events.push_back(
         {d.time_of_peak_displacement, EventKind::kPeakDisplacement, name, "", d.peak_displacement});
-  if (d.peak_tilt >= kTipped && d.time_of_overturning < 0)
+  if (d.peak_tilt >= kTipped && d.lies_from() < 0)
     events.push_back({d.time_of_peak_tilt, EventKind::kPeakTilt, name, "", d.peak_tilt});
 }
 

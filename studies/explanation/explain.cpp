@@ -63,7 +63,7 @@ ItemFacts item_facts(const study::RunFacts& facts, const Response& response, std
   if (const auto lifts = lifts_of(model, item.history); !lifts.empty()) {
     result.first_lifted = caster_words(model, lifts.front().casters.front());
     result.time_of_lift = lifts.front().from;
-    const double fall = d.time_of_overturning < 0 ? response.end_time : d.time_of_overturning;
+    const double fall = d.lies_from() < 0 ? response.end_time : d.lies_from();
     result.uplifts = static_cast<std::size_t>(
         std::ranges::count_if(lifts, [&](const Lift& lift) { return lift.from <= fall; }));
   }
@@ -81,7 +81,8 @@ std::size_t subject_of(const std::vector<ItemFacts>& items, const Response& resp
     const Impact* hit = hardest_impact(response, i);
     switch (items[i].finding) {
       case Finding::kOverturned:
-        return -response.items[i].demands.time_of_overturning;
+      case Finding::kToppled:
+        return -response.items[i].demands.lies_from();
       case Finding::kHit:
         return hit->approach_speed;
       case Finding::kRocked:
@@ -126,7 +127,8 @@ void find_worst(const Response& response, Explanation& result) {
   const Demands& d = item.demands;
   switch (result.item().finding) {
     case Finding::kOverturned:
-      result.worst_time = d.time_of_overturning;
+    case Finding::kToppled:
+      result.worst_time = d.lies_from();
       result.direction = {std::cos(d.direction_of_overturning),
                           std::sin(d.direction_of_overturning)};
       if (const Impact* const hit = hardest_impact(response, result.subject, result.worst_time);
@@ -167,7 +169,7 @@ void find_worst(const Response& response, Explanation& result) {
 /// Finds the half cycle that drove the worst; of an overturning the one that every report of the run names.
 void find_pulse(const study::RunFacts& facts, const Response& response, Explanation& result) {
   if (result.direction.isZero()) return;
-  if (result.item().finding != Finding::kOverturned) {
+  if (!lies(result.item().finding)) {
     result.pulse =
         driving_half_cycle(facts.floor, -result.direction, result.swing_start, result.worst_time);
     return;
@@ -248,6 +250,8 @@ const char* stage_name(EventKind kind) {
       return "farthest";
     case EventKind::kPeakTilt:
       return "largest tilt";
+    case EventKind::kToppled:
+      return "toppled";
     case EventKind::kOverturned:
       return "overturned";
     default:
@@ -295,7 +299,7 @@ double grip_of(const Caster& caster, double normal) {
 }  // namespace
 
 double until_overturned(const ItemResponse& item) {
-  const double fall = item.demands.time_of_overturning;
+  const double fall = item.demands.lies_from();
   return fall >= 0 ? fall : std::numeric_limits<double>::infinity();
 }
 
@@ -312,6 +316,7 @@ const Impact* hardest_impact(const Response& response, std::size_t item, double 
 Finding finding_of(const Response& response, std::size_t item, double tilt_ratio) {
   const Demands& d = response.items.at(item).demands;
   if (d.time_of_overturning >= 0) return Finding::kOverturned;
+  if (d.time_of_toppling >= 0) return Finding::kToppled;
   const Impact* const hit = hardest_impact(response, item);
   if (hit != nullptr && hit->approach_speed >= kHit) return Finding::kHit;
   if (tilt_ratio >= kRocks) return Finding::kRocked;
@@ -362,26 +367,19 @@ Explanation explain(const study::RunFacts& facts, const Response& response) {
 }
 
 const char* name_of(Finding finding) {
-  constexpr std::array kNames{"still", "moved", "rocked", "hit", "overturned"};
+  constexpr std::array kNames{"still", "moved", "rocked", "hit", "toppled", "overturned"};
   return kNames.at(static_cast<std::size_t>(finding));
 }
 
 const char* name_of(EventKind kind) {
-  constexpr const char* kNames[] = {"moved",
-                                    "grip_exceeded",
-                                    "brake_turned",
-                                    "lift_off",
-                                    "landed",
-                                    "tipped",
-                                    "impact",
-                                    "taut",
-                                    "unplugged",
-                                    "released",
-                                    "fell",
-                                    "zone",
-                                    "peak_displacement",
-                                    "peak_tilt",
-                                    "overturned",
+  constexpr const char* kNames[] = {"moved",        "grip_exceeded",
+                                    "brake_turned", "lift_off",
+                                    "landed",       "tipped",
+                                    "impact",       "taut",
+                                    "unplugged",    "released",
+                                    "fell",         "toppled",
+                                    "zone",         "peak_displacement",
+                                    "peak_tilt",    "overturned",
                                     "end"};
   return kNames[static_cast<int>(kind)];
 }

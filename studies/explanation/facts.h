@@ -12,8 +12,10 @@
 namespace gurney::explanation {
 
 /// The worst that happened to an item, the mildest first.
-enum class Finding { kStill, kMoved, kRocked, kHit, kOverturned };
+enum class Finding { kStill, kMoved, kRocked, kHit, kToppled, kOverturned };
 const char* name_of(Finding finding);
+/// Whether it came to lie, on the floor or on what it stood on.
+inline bool lies(Finding finding) { return finding >= Finding::kToppled; }
 
 enum class EventKind {
   kMoved,             ///< left its place: the onset of the first millimetre
@@ -27,6 +29,7 @@ enum class EventKind {
   kUnplugged,         ///< or broken
   kReleased,          ///< the latch of a part lets go
   kFell,              ///< from what it stood on
+  kToppled,           ///< on what it stood on; value: direction from the floor's x axis [rad]
   kZone,              ///< an item enters a zone
   kPeakDisplacement,  ///< value [m]
   kPeakTilt,          ///< value [rad]

@@ -138,9 +138,10 @@ std::vector<Overturning> overturnings_of(const study::RunFacts& facts, const Res
   if (is_failure(response.outcome)) return result;
   for (std::size_t i = 0; i < response.items.size(); ++i) {
     const Demands& d = response.items[i].demands;
-    if (d.time_of_overturning < 0) continue;
+    if (d.lies_from() < 0) continue;
     Overturning found{i,
-                      d.time_of_overturning,
+                      d.time_of_toppling >= 0,
+                      d.lies_from(),
                       d.direction_of_overturning,
                       liftoffs_of(d, facts.scene.items.at(i).model),
                       0,

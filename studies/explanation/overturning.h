@@ -39,6 +39,7 @@ struct Overturning {
   };
 
   std::size_t item = 0;
+  bool topples = false;           ///< it stood on another item
   double time = 0;                ///< of overturning [s]
   double direction = 0;           ///< from the floor's x axis, -pi to pi [rad]
   std::vector<Liftoff> liftoffs;  ///< of the wheels in the air at `time`, by time

@@ -184,6 +184,7 @@ struct RunOutcome {
 bool happened(const RunOutcome& run, Finding finding) {
   switch (finding) {
     case Finding::kOverturned:
+    case Finding::kToppled:
       return run.overturned;
     case Finding::kHit:
       return run.overturned || run.hardest_impact >= kHit;
@@ -213,7 +214,7 @@ RunOutcome outcome_of(const study::RunFacts& facts, const Scene& scene, const Ex
   result.tilt_ratio =
       tilt_margin(scene.items.at(of.subject).model, item.history, until_overturned(item)).ratio();
   result.hardest_impact = hit == nullptr ? 0 : hit->approach_speed;
-  result.overturned = item.demands.time_of_overturning >= 0;
+  result.overturned = item.demands.lies_from() >= 0;
   result.happened = happened(result, of.item().finding);
   return result;
 }
@@ -254,6 +255,8 @@ std::string event_of(Finding finding, const study::UnitSystem& units) {
   switch (finding) {
     case Finding::kOverturned:
       return "overturning";
+    case Finding::kToppled:
+      return "toppling";
     case Finding::kHit:
       return "the impact";
     case Finding::kRocked:

@@ -159,8 +159,11 @@ std::string sentence(const Event& event, const UnitSystem& units) {
       return fmt::format("farthest from its start, {}", length(event.value, units));
     case EventKind::kPeakTilt:
       return fmt::format("largest tilt, {}", angle(event.value, units));
-    case EventKind::kOverturned:
-      return std::isfinite(event.value) ? "OVERTURNS " + towards(event.value, units) : "OVERTURNS";
+    case EventKind::kToppled:
+    case EventKind::kOverturned: {
+      const std::string what = event.kind == EventKind::kToppled ? "TOPPLES" : "OVERTURNS";
+      return std::isfinite(event.value) ? what + " " + towards(event.value, units) : what;
+    }
     case EventKind::kEnd:
       break;
   }
@@ -177,7 +180,8 @@ std::string headline(const Explanation& of) {
   const ItemFacts& item = of.item();
   switch (item.finding) {
     case Finding::kOverturned:
-      return fmt::format("{} overturned at {:.2f} s, {}.", item.name, of.worst_time,
+    case Finding::kToppled:
+      return fmt::format("{} {} at {:.2f} s, {}.", item.name, name_of(item.finding), of.worst_time,
                          towards(angle_of(of.direction), of.units));
     case Finding::kHit: {
       const std::string other =

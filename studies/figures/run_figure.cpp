@@ -240,8 +240,9 @@ void draw_legend(Svg& svg, Plan& plan, const Frame& frame, const Scene& scene,
     svg.circle(x, y, 8, badge);
     svg.text(x, y + 3.5, number, style);
     svg.line(x + 12, y, x + 12 + kLineKey, y, pen(i, 1.6));
-    const std::string what = d.time_of_overturning >= 0
-                                 ? ", overturned"
+    const std::string what = d.time_of_overturning >= 0 ? ", overturned"
+                             : d.time_of_toppling >= 0
+                                 ? ", toppled"
                                  : ", " + lengths.fixed(d.residual_displacement, "m", 3);
     const double left = x + 18 + kLineKey;
     svg.text(left, y + 4,
@@ -356,7 +357,7 @@ void draw_plan(Svg& svg, const Frame& frame, const Scaling& in_unit, const Scene
     const PlacedItem& item = scene.items[i];
     const Sample &start = response.items[i].history.front(),
                  &end = explanation::last_finite(response.items[i].history);
-    const bool fell = response.items[i].demands.time_of_overturning >= 0;
+    const bool fell = response.items[i].demands.lies_from() >= 0;
     draw_item(plan, item, end,
               {.stroke = palette(i), .width = fell ? 2.4 : 1.2, .fill = palette(i)},
               alone  ? 0.08

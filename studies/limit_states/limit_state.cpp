@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "engine/base/error.h"
 #include "engine/config/nearest_name.h"
@@ -19,7 +21,17 @@ namespace {
 /// are 2^-52 each; 4 times that for decimal fractions that are not exact.
 constexpr double kRounding = 1e-15;
 
+constexpr std::array<std::string_view, 9> kOfPartsAndContents = {
+    "peak_slide", "time_of_fall",   "time_of_toppling", "peak_travel",       "residual_travel",
+    "peak_swing", "residual_swing", "time_of_release",  "largest_stop_speed"};
+
 }  // namespace
+
+bool counts_of(const Quantity& quantity, const std::string& item) {
+  if (!quantity.item.empty()) return quantity.item == item;
+  return quantity.of != Quantity::Of::kItem || item.find('/') == std::string::npos ||
+         std::ranges::find(kOfPartsAndContents, quantity.column) != kOfPartsAndContents.end();
+}
 
 bool exceeded(const std::vector<LimitState>& states, std::size_t index, const Values& values) {
   const LimitState& state = states[index];
@@ -86,9 +98,12 @@ void must_be(const std::string& kind, const std::string& name,
 
 Places places_of(const Scene& scene) {
   Places places{item_names(scene), names_in(scene.zones), names_in(scene.tethers), {}};
-  for (std::size_t i = 0; i < scene.items.size(); ++i)
+  for (std::size_t i = 0; i < scene.items.size(); ++i) {
     for (const std::string& name : point_names(scene.items[i].model))
       places.points.emplace_back(places.items[i], name);
+    if (const auto& on = scene.items[i].on; on && on->kind == Support::Kind::kItem)
+      places.on_items.push_back(places.items[i]);
+  }
   return places;
 }
 
@@ -99,6 +114,10 @@ void check_names(const LimitState& state, const Places& places, const std::strin
           fmt::format("at_least = {}: must be at most {}, the items and contents of {}",
                       state.at_least, places.items.size(), owner));
   if (!quantity.item.empty()) must_be("item", quantity.item, places.items, owner);
+  const bool on_item = std::ranges::find(places.on_items, quantity.item) != places.on_items.end();
+  require(!on_item || quantity.column != "time_of_overturning",
+          fmt::format("'{}' stands on another item, where it is not overturned but \"toppled\"",
+                      quantity.item));
   if (quantity.of == Quantity::Of::kZone) must_be("zone", quantity.part, places.zones, owner);
   if (quantity.of == Quantity::Of::kTether) must_be("tether", quantity.part, places.tethers, owner);
   if (quantity.of != Quantity::Of::kPoint) return;
@@ -153,7 +172,7 @@ Values values_of(const Scene& scene, const Response& response) {
     }
     const std::vector<std::string> names = item_names(scene);
     for (std::size_t i = 0; i < response.items.size(); ++i)
-      if (quantity.item.empty() || quantity.item == names[i])
+      if (counts_of(quantity, names[i]))
         append_of_item(quantity, scene.items[i].model, response.items[i].demands, values);
     return values;
   };

@@ -15,11 +15,15 @@ struct Quantity {
   enum class Of { kItem, kPoint, kZone, kTether };
   Of of = Of::kItem;
   std::string column;  ///< of the results' table: "peak_displacement"
-  std::string item;    ///< of kItem and kPoint; empty: of every item
+  std::string item;    ///< of kItem and kPoint; empty: see counts_of()
   std::string part;    ///< name of the point, zone or tether
 
   bool operator==(const Quantity&) const = default;
 };
+
+/// Whether the values of an item count: of the one that is named; else of every item of the job, and of its
+/// parts and contents ("cart/drawer") what only these have. A jug that falls off a cart is no cart that moved.
+bool counts_of(const Quantity& quantity, const std::string& item);
 
 /// The values of a quantity in one run, one for each item it is asked of; NaN: there is none.
 using Values = std::function<std::vector<double>(const Quantity&)>;
@@ -58,6 +62,7 @@ std::vector<LimitState> default_limit_states();
 struct Places {
   std::vector<std::string> items, zones, tethers;
   std::vector<std::pair<std::string, std::string>> points;  ///< item and point
+  std::vector<std::string> on_items{};                      ///< items that stand on another
 };
 
 Places places_of(const Scene& scene);

@@ -56,6 +56,7 @@ struct Event {
   double above;
 };
 constexpr std::array kEvents = {Event{"overturned", Quantity::Of::kItem, "time_of_overturning", 0},
+                                Event{"toppled", Quantity::Of::kItem, "time_of_toppling", 0},
                                 Event{"fell", Quantity::Of::kItem, "time_of_fall", 0},
                                 Event{"released", Quantity::Of::kItem, "time_of_release", 0},
                                 Event{"impact", Quantity::Of::kItem, "impacts", 0},

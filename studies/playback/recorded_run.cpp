@@ -152,18 +152,20 @@ void add_items(const Hdf5Reader& file, std::vector<Moment>& all) {
   file.require_length(columns, names.size());
   std::vector<std::vector<double>> of;
   for (const std::string& column : columns) of.push_back(file.numbers(column));
+  const auto toppled = file.has("/items/time_of_toppling") ? file.numbers("/items/time_of_toppling")
+                                                           : std::vector<double>(names.size(), -1);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (of[0][i] >= 0) all.push_back({of[0][i], "overturned", names[i], "overturns"});
     if (of[1][i] >= kVisible)
       all.push_back({of[2][i], "displacement", names[i],
                      fmt::format("largest displacement, {:.0f} mm", 1000 * of[1][i])});
-    if (of[3][i] >= kRadiansPerDegree && of[0][i] < 0)
+    if (of[3][i] >= kRadiansPerDegree && of[0][i] < 0 && toppled.at(i) < 0)
       all.push_back({of[4][i], "tilt", names[i],
                      fmt::format("largest tilt, {:.1f} deg", of[3][i] / kRadiansPerDegree)});
   }
 }
 
-/// Latches that let go and items that fell: of a time of -1 none. Older files have neither.
+/// Latches that let go and items that fell or toppled: of a time of -1 none. Older files have none of them.
 void add_times(const Hdf5Reader& file, const std::string& column, const std::string& kind,
                const std::string& text, std::vector<Moment>& all) {
   if (!file.has(column)) return;
@@ -395,6 +397,7 @@ std::vector<Moment> moments(const study::Hdf5Reader& file, const RecordedRun& ru
   add_items(file, all);
   add_times(file, "/items/time_of_release", "released", "its latch lets go", all);
   add_times(file, "/items/time_of_fall", "fell", "falls from what it stood on", all);
+  add_times(file, "/items/time_of_toppling", "toppled", "topples", all);
   std::ranges::stable_sort(all, {}, &Moment::time);
   return all;
 }

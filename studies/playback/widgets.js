@@ -11,7 +11,7 @@ function made(name, text, attributes = {}) {
 
 const cssColor = (c) => `rgb(${c.map((v) => Math.round(255 * v)).join(' ')})`;
 
-const kEventColors = { 'lift-off': '#E69F00', impact: '#D55E00', taut: '#56B4E9', unplugged: '#c0392b', released: '#0072B2', fell: '#b00020', zone: '#b8860b', overturned: '#b00020', displacement: '#009E73', tilt: '#CC79A7' };
+const kEventColors = { 'lift-off': '#E69F00', impact: '#D55E00', taut: '#56B4E9', unplugged: '#c0392b', released: '#0072B2', fell: '#b00020', toppled: '#b00020', zone: '#b8860b', overturned: '#b00020', displacement: '#009E73', tilt: '#CC79A7' };
 
 /// More of them hide what else happened; a click on their button shows them.
 const kMaxLiftOffs = 30;

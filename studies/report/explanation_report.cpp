@@ -36,17 +36,16 @@ Value text_of(const std::string& text) { return text.empty() ? Value() : Value(t
 /// Events that people read of: of the item, and the worst of others.
 bool belongs(const Event& event, const Explanation& of) {
   return event.item.empty() || event.item == of.item().name ||
-         event.kind == EventKind::kOverturned || event.kind == EventKind::kImpact;
+         event.kind == EventKind::kOverturned || event.kind == EventKind::kToppled ||
+         event.kind == EventKind::kImpact;
 }
 
 /// Remark on the uplifts that the events leave out; empty: none.
 std::string uplifts_text(const ItemFacts& item) {
   if (item.uplifts <= explanation::kStatedLifts) return {};
   return fmt::format("There were {} uplifts{}; the events have the first{} of the others.",
-                     item.uplifts,
-                     item.finding == Finding::kOverturned ? " until it overturned" : "",
-                     item.finding == Finding::kOverturned ? ", the last, and the longest"
-                                                          : " and the two longest");
+                     item.uplifts, lies(item.finding) ? " until it overturned" : "",
+                     lies(item.finding) ? ", the last, and the longest" : " and the two longest");
 }
 
 void add_events(const Explanation& of, Section& all) {
@@ -96,7 +95,7 @@ std::string tilt_text(const ItemFacts& item, const UnitSystem& units) {
   const TiltMargin& tilt = item.tilt;
   const std::string side = explanation::side_of(tilt.direction);
   if (tilt.tilt <= 0) return "It hardly tilted (less than 0.1 deg).";
-  if (item.finding == Finding::kOverturned && tilt.time_passed >= 0)
+  if (lies(item.finding) && tilt.time_passed >= 0)
     return fmt::format(
         "Its tilt passed the critical angle at {:.2f} s, leaning to its {}: there its centre of "
         "mass, {} up, is above the edge of its support.",
@@ -219,7 +218,7 @@ Section other_items(const Explanation& of) {
                 ? explanation::stayed(item, of.units)
                 : fmt::format("{}: {}; moved up to {}{}.", item.name, name_of(item.finding),
                               explanation::length(item.peak_displacement, of.units),
-                              item.is_part || item.finding == Finding::kOverturned
+                              item.is_part || lies(item.finding)
                                   ? ""
                                   : fmt::format(", tilt up to {:.0f} % of critical",
                                                 100 * item.tilt.ratio())));

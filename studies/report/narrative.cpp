@@ -29,7 +29,7 @@ findings::List sentences(std::string title, Texts lines) {
 // How far items moved, and how the run ended.
 
 /// An item that lies on its side has no heading.
-bool has_heading(const Demands& d) { return d.time_of_overturning < 0; }
+bool has_heading(const Demands& d) { return d.lies_from() < 0; }
 
 /// Whether an angle is seen in a text with a tenth of a degree.
 bool is_visible(double angle) { return std::abs(angle) / kRadiansPerDegree >= 0.05; }
@@ -142,7 +142,8 @@ Texts motions(const Response& response, const Texts& names, const UnitSystem& un
 
 std::string overturning(const explanation::Overturning& of, const std::string& name,
                         const UnitSystem& units) {
-  std::string text = fmt::format("{} OVERTURNED at {:.2f} s", name, of.time);
+  std::string text =
+      fmt::format("{} {} at {:.2f} s", name, of.topples ? "TOPPLED" : "OVERTURNED", of.time);
   if (std::isfinite(of.direction)) text += ", falling " + explanation::towards(of.direction, units);
   Texts wheels;
   for (const auto& each : of.liftoffs)

@@ -277,7 +277,7 @@ void add_events(const study::RunFacts& facts, const Response& response, const Te
   all.add(std::move(impacts)).list("overturnings", "", {});
   for (const explanation::Overturning& each : explanation::overturnings_of(facts, response)) {
     Section of("overturnings[]");
-    of.json("item", names.at(each.item)).json("time_s", each.time);
+    of.json("item", names.at(each.item)).json("topples", each.topples).json("time_s", each.time);
     of.json("direction_rad", each.direction);
     Table liftoffs{"liftoffs", "", {}};
     for (const auto& wheel : each.liftoffs)

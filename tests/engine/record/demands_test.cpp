@@ -212,6 +212,7 @@ TEST(Demands, AreThoseOfTheActOfTheirItem) {
       // Those of what stands above the floor are in supported_items_test.cpp.
       {"peak_slide", {kMove, kNone, kNone, kNone, kNone}},
       {"time_of_fall", {kMove, -1, -1, -1, -1}},
+      {"time_of_toppling", {kFall, -1, -1, -1, -1}},
       // Those of parts are in parts_test.cpp.
       {"peak_travel", {kMove, kNone, kNone, kNone, kNone}},
       {"residual_travel", {kMove, kNone, kNone, kNone, kNone}},

@@ -110,6 +110,17 @@ TEST(RunClock, EndsAtOverturningAndAtACause) {
   EXPECT_EQ(failed.cause(), "because");
 }
 
+TEST(RunClock, GoesOnWhereWhatStandsOnAnItemTopples) {
+  SimulationSettings s = settings(1);
+  s.follow_overturning = false;
+  RunClock clock({}, {}, s);
+  ASSERT_TRUE(clock.next(0));
+  clock.observe(0.01, {{1, 1, 0}, {1, 1, 1.05, true}});
+  EXPECT_EQ(clock.overturned_at(1), 0.01);
+  EXPECT_TRUE(clock.next(0.01));
+  EXPECT_EQ(clock.outcome(), Outcome::kStopped);
+}
+
 TEST(RunClock, FollowsAnOverturnedItemUntilItRests) {
   SimulationSettings s = settings(0);
   RunClock clock({}, {}, s);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/error.h"
 #include "engine/run/overlaps.h"
@@ -73,6 +74,44 @@ TEST(SupportedItems, SlideAsABlockOnABlock) {
   for (const ItemResponse& item : response.items)
     EXPECT_NEAR(item.history.back().velocity.x(), 0.4, 1e-4);
   EXPECT_EQ(response.items[1].demands.time_of_fall, -1);
+}
+
+// A box of b / h = 0.25 on a block tips over under 0.5 g and lies there: it topples, which is no overturning of the
+// item below and ends no run. On the floor it overturns, and the run ends.
+TEST(SupportedItems, ToppleWhereOnTheFloorTheyOverturn) {
+  Scene scene = blocks::block(400, {1, 1, 0.5}, rough(2));
+  scene.items[0].name = "block";
+  scene.items.push_back(box_on({Support::Kind::kItem, 0, 0.5}, 10, {0.1, 0.1, 0.4}, "rubber"));
+  for (const char* other : {"steel", "concrete"})
+    scene.pairs.push_back({"rubber", other, rough(2)});
+  Eigen::Matrix3Xd push = Eigen::Matrix3Xd::Zero(3, 501);
+  push.row(0).head(400).setConstant(0.5 * kGravity);
+  const FloorMotion floor(0.001, push);
+  SimulationSettings settings = blocks::run_for(2, 0.004, 0.02);
+  settings.follow_overturning = false;
+  const Response on = simulate(scene, floor, settings);
+  EXPECT_EQ(on.outcome, Outcome::kStopped) << on.cause;
+  EXPECT_EQ(on.end_time, 2);
+  EXPECT_EQ(on.items[0].demands.time_of_overturning, -1);
+  EXPECT_EQ(on.items[1].demands.time_of_overturning, -1);
+  EXPECT_GT(on.items[1].demands.time_of_toppling, 0.2);
+  EXPECT_NEAR(std::abs(on.items[1].demands.direction_of_overturning), std::numbers::pi, 0.01);
+  scene.items.erase(scene.items.begin());
+  scene.items[0].on.reset();
+  const Response alone = simulate(scene, floor, settings);
+  EXPECT_EQ(alone.outcome, Outcome::kOverturned) << alone.cause;
+  EXPECT_EQ(alone.items[0].demands.time_of_toppling, -1);
+  EXPECT_NEAR(alone.items[0].demands.time_of_overturning, on.items[1].demands.time_of_toppling,
+              0.02);
+}
+
+// A spring that holds a trolley on a slope is stretched by m g sin / K from the start: nothing moves.
+TEST(SupportedItems, RestOnASlopeInTheirSprings) {
+  Scene scene = scene_of(small::trolley({0, 0, 0, 0}, small::bare_tread(1e5, 1e5)));
+  scene.slope = 0.02;
+  scene.items[0].fixture.guides[0] = {Guide::Kind::kSpring, 0, 5000, 20};
+  const Response response = simulate(scene, {}, blocks::run_for(1, 0.004, 0.02));
+  EXPECT_LT(response.items[0].demands.peak_displacement, 1e-6);
 }
 
 /// A table 0.8 m high with a box on it.

@@ -334,5 +334,22 @@ TEST(LoadItem, PartsComeToRest) {
   EXPECT_NEAR(flap.parts[0].model.shape[0].size.z(), 0.2, 2e-3);
 }
 
+// What follows from an error of a joint is none of its own: keys of a kind that is not known, a way between limits that
+// are not.
+TEST(LoadItem, AJointInErrorIsSaidOnce) {
+  const TempFolder folder;
+  const std::string file = folder.path() + "/cart.toml",
+                    moves = "axis = [1, 0, 0]\nfriction_n = 2\n";
+  for (const auto& [joint, said] :
+       {std::pair{"joint = \"slidr\"\nlower_mm = 0\nupper_mm = 300\n", "joint = \"slidr\""},
+        {"joint = \"slider\"\nlower_mm = 0\nupper_mm = -300\n", "upper_mm = -300"},
+        {"joint = \"slider\"\nlower_mm = 0\nupper_mm = 0\n", "leaves no way"}}) {
+    std::ofstream(file) << kCart << tail_of_cart(joint + moves);
+    const std::string errors = error_text([&] { load_item(file); });
+    EXPECT_NE(errors.find(said), std::string::npos) << errors;
+    EXPECT_EQ(std::ranges::count(errors, '\n'), 0) << errors;
+  }
+}
+
 }  // namespace
 }  // namespace gurney::equipment

@@ -45,6 +45,7 @@ struct SmallRun {
   bool failed = false;
   bool untrusted = false;
   double scale = 1;
+  bool content_fell = false;  ///< of the first item, and 3 m away from it
 };
 
 /// A row of /zones.
@@ -85,7 +86,7 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
   for (const char* name : {"scale", "intensity", "pfa", "pfv"}) table.add_number(name, "1", name);
   table.add_text("outcome", "outcome", 10);
   items.add_whole("run", "run");
-  items.add_text("item", "item", 4);
+  items.add_text("item", "item", 8);
   items.add(demand_columns());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const SmallRun& run = runs[i];
@@ -102,6 +103,12 @@ inline void write_small_study(const std::string& path, const std::vector<SmallRu
     cart.peak_displacement = run.displacement;
     if (run.fell) cart.time_of_overturning = 0.0;
     items.put(double(i)).put("cart").put(demand_columns(), cart).end_row();
+    if (run.content_fell) {
+      Demands jug;
+      jug.peak_displacement = 3;
+      jug.time_of_fall = jug.time_of_toppling = 1;
+      items.put(double(i)).put("cart/jug").put(demand_columns(), jug).end_row();
+    }
     items.put(double(i)).put("bed").put(demand_columns(), Demands{}).end_row();
   }
   write_zones(file, zones);

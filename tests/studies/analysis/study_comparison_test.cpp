@@ -119,6 +119,12 @@ TEST_F(StudyComparisonTest, LevelsOfARecordAreNotMoreRecords) {
       EXPECT_GE(curves.p, 0.4);  // 1 / 2 but for the number of resamples
     }
   EXPECT_EQ(found.smallest_p, 0.5);
+  // The value of a record is the mean of its levels.
+  const ComparedQuantity median =
+      row(compare_studies({&study, 0}, {&study, 1}, {.demands = {"peak_displacement"}}),
+          Kind::kMedian, "cart: peak_displacement");
+  EXPECT_NEAR(median.a, 0.2, 1e-12);
+  EXPECT_NEAR(median.b, 0.05, 1e-12);
 }
 
 TEST_F(StudyComparisonTest, OneRecordWithoutDrawsHasNoP) {

@@ -50,6 +50,28 @@ TEST_F(StudyDataTest, ObservationsAreTheRunsOfTheItemsAsked) {
   EXPECT_THAT(study.exceedances(2, {0, 1, 2}), ElementsAre(false, true, false));
 }
 
+// A jug that falls 3 m away from its cart is no cart that moved; it fell, and it can be asked for.
+TEST_F(StudyDataTest, ContentsCountInWhatOnlyTheyHave) {
+  SmallRun run{0, 1, 0.05};
+  run.content_fell = true;
+  const StudyData study = data({run});
+  FileValues values(study.file());
+  using Of = Quantity::Of;
+  EXPECT_THAT(values(0, {Of::kItem, "peak_displacement", "", ""}), ElementsAre(0.05, 0));
+  EXPECT_THAT(values(0, {Of::kItem, "peak_displacement", "cart/jug", ""}), ElementsAre(3));
+  EXPECT_THAT(values(0, {Of::kItem, "time_of_fall", "", ""}), ElementsAre(-1, 1, -1));
+  EXPECT_THAT(values(0, {Of::kItem, "time_of_toppling", "", ""}), ElementsAre(-1, 1, -1));
+  EXPECT_THAT(study.exceedances(0, {0}), ElementsAre(false));
+}
+
+TEST_F(StudyDataTest, CloudsNeedALimitAboveZero) {
+  std::string job = kSmallStudy;
+  job.replace(job.find("above = 10"), 10, "above = 0 ");
+  write_small_study(folder_.file("zero.h5"), {{0, 1, 0.2}, {1, 1, 0.1}}, job);
+  const StudyData study(folder_.file("zero.h5"));
+  EXPECT_ERROR(study.cloud(0, 0, study.measure(""), 1e-4), "a cloud needs a demand above a limit");
+}
+
 TEST_F(StudyDataTest, CloudsCensorWhatFellAndWhatStood) {
   const StudyData study = data({{0, 1, 0.2}, {1, 2, 0.04, true}, {2, 1, 0.0}});
   const auto points = study.cloud(0, 0, study.measure(""), 1e-4);

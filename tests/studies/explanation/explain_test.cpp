@@ -412,6 +412,8 @@ TEST(Words, OfItemsThatCarryAndThatOverturnAreTheirs) {
             std::string::npos);
   EXPECT_NE(text().find("pump: overturned; moved up to 0.00 mm."), std::string::npos)
       << "a tilt until it overturned is no margin";
+  pump.finding = Finding::kToppled;
+  EXPECT_NE(text().find("pump: toppled; moved up to 0.00 mm."), std::string::npos);
 }
 
 TEST(Words, OfAShrinkingChangeDoNotSayThatItGrows) {

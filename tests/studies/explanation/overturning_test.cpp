@@ -18,6 +18,7 @@ TEST(Overturnings, LookAgainstTheirDirection) {
   const auto all = overturnings_of(facts, response);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].item, 3u);
+  EXPECT_FALSE(all[0].topples);
   ASSERT_EQ(all[0].liftoffs.size(), 3u);
   EXPECT_EQ(all[0].liftoffs[1].wheel, "rear left") << "by time";
   ASSERT_TRUE(all[0].half_cycle) << "the floor moves towards +y, the item falls towards -y";
@@ -31,6 +32,10 @@ TEST(Overturnings, LookAgainstTheirDirection) {
   response.items[3].demands.direction_of_overturning *= -1;
   EXPECT_FALSE(overturnings_of(facts, response)[0].half_cycle)
       << "the floor never moves towards -y";
+  std::swap(response.items[3].demands.time_of_overturning,
+            response.items[3].demands.time_of_toppling);
+  EXPECT_TRUE(overturnings_of(facts, response).at(0).topples);
+  EXPECT_EQ(overturnings_of(facts, response)[0].time, all[0].time);
   response.outcome = Outcome::kDiverged;
   EXPECT_TRUE(overturnings_of(facts, response).empty());
 }

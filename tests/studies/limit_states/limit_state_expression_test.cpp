@@ -36,6 +36,20 @@ void expect_units_of(const Columns& columns, const std::string& place) {
   }
 }
 
+TEST(LimitStateExpression, TellsOverturningFromToppling) {
+  Places places = kPlaces;
+  places.on_items = {"bed"};
+  const auto check = [&](const std::string& line) {
+    return error_text([&] { check_names(read(line), places, "the job"); });
+  };
+  EXPECT_EQ(check("cart: overturned"), "(no error)");
+  EXPECT_EQ(check("bed: toppled"), "(no error)");
+  EXPECT_EQ(check("bed: peak_displacement > 1 m"), "(no error)");
+  EXPECT_THAT(check("bed: overturned"),
+              testing::HasSubstr("'bed' stands on another item, where it is not overturned but "
+                                 "\"toppled\""));
+}
+
 TEST(LimitStateExpression, KnowsTheUnitOfEveryDemand) {
   expect_units_of(demand_columns(), "");
   expect_units_of(point_demand_columns(), "screen: ");
@@ -74,8 +88,9 @@ TEST(LimitStateExpression, NamesWhatIsWrong) {
   EXPECT_ERROR(read("peak_displacement > far"), ": a number must follow >, and its unit");
   EXPECT_ERROR(read("peak_displacement >= 1 m"),
                ": a limit is exceeded beyond its value: >, not >=");
-  EXPECT_ERROR(read("overtuned"),
-               ": event = \"overtuned\": must be one of overturned, fell, released, impact");
+  EXPECT_ERROR(
+      read("overtuned"),
+      ": event = \"overtuned\": must be one of overturned, toppled, fell, released, impact");
   EXPECT_ERROR(read("caart: overturned"),
                ": no item, marked point, zone or tether 'caart'; did you mean 'cart'?; "
                "a name of the limit state stands before =");

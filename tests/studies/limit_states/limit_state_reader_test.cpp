@@ -98,10 +98,11 @@ TEST(LimitStates, ErrorsAreNamed) {
   EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\ndemand = \"peak_tilt\"\nabove = 1\n"
                    "unit = \"m\"\n"),
             "a.toml:5:8: limit_state[0].unit = \"m\": must be one of rad, deg");
-  EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nevent = \"slid\"\n"),
-            "a.toml:3:9: limit_state[0].event = \"slid\": must be one of overturned, fell, "
-            "released, impact, "
-            "lifted");
+  EXPECT_EQ(
+      errors("[[limit_state]]\nname = \"a\"\nevent = \"slid\"\n"),
+      "a.toml:3:9: limit_state[0].event = \"slid\": must be one of overturned, toppled, fell, "
+      "released, impact, "
+      "lifted");
   EXPECT_EQ(errors("[[limit_state]]\nname = \"a\"\nany_of = [\"b\", \"c\"]\n"),
             "a.toml:3:10: limit_state[0].any_of: no limit state 'b'\n"
             "a.toml:3:10: limit_state[0].any_of: no limit state 'c'");

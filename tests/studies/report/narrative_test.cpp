@@ -64,6 +64,8 @@ TEST(Story, SaysHowAnItemLeftWhatItStoodOn) {
   d.time_of_fall = 5.3;
   EXPECT_THAT(text_of(synthetic_facts(), response),
               HasSubstr("It slid at most 120 mm where it stood and FELL at 5.30 s. "));
+  d.time_of_toppling = 5.1;
+  EXPECT_THAT(text_of(synthetic_facts(), response), HasSubstr("\nTrolley TOPPLED at 5.10 s."));
 }
 
 TEST(Story, SaysWhatHalfTheTimeStepChanges) {

@@ -57,6 +57,7 @@ TEST_F(ResultsFile, HoldsTheHistories) {
   const Sample& sample = response.items[0].history[kSample];
   EXPECT_EQ(file.numbers("/histories/count").at(0), response.items[0].history.size());
   EXPECT_EQ(file.numbers("/histories/time").at(kSample), sample.time);
+  EXPECT_EQ(file.numbers("/histories/start").at(2), 0) << "on the floor";
   EXPECT_EQ(file.numbers("/histories/velocity").at(3 * kSample + 1), sample.velocity.y());
   EXPECT_EQ(file.numbers("/histories/normal_force").at(kWheels * kSample + kWheel),
             sample.wheels[kWheel].normal_force);

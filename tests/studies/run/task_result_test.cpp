@@ -20,9 +20,9 @@ auto members(PointDemands& s) {
 }
 auto members(Demands& s) {
   auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y, z, aa, ab, ac, ad,
-         ae, af, ag] = s;
+         ae, af, ag, ah] = s;
   return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, t, u, v, w, x, y, z, aa, ab,
-                  ac, ad, ae, af, ag);
+                  ac, ad, ae, af, ag, ah);
 }
 auto members(EnergyAccount& s) {
   auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = s;

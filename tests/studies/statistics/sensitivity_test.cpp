@@ -143,6 +143,12 @@ TEST(Tornado, RanksInputsByTheirSwing) {
   EXPECT_NEAR(bars[0].low, 0.15 - 0.5, 4.5 * bars[0].low_error);
   EXPECT_NEAR(bars[0].swing(), 2.7, 4.5 * std::hypot(bars[0].low_error, bars[0].high_error));
   EXPECT_NEAR(bars[1].swing(), -0.9, 4.5 * std::hypot(bars[1].low_error, bars[1].high_error));
+  // The lowest and highest two of 10: means 1.5 and 9.5, variances 1 / 2, standard errors sqrt(0.5 / 2).
+  const TornadoBar bar =
+      tornado({{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, 0.2)[0];
+  EXPECT_EQ(bar.low_runs, 2u);
+  EXPECT_NEAR(bar.low_error, std::sqrt(0.5 / 2), 1e-12);
+  EXPECT_NEAR(bar.high_error, std::sqrt(0.5 / 2), 1e-12);
   EXPECT_ERROR(tornado(u, y, 0.6), "share = 0.6 must be in (0, 0.5]");
   EXPECT_ERROR(tornado({{1.0}}, {1.0}), "a share 0.1 of 1 runs is less than 2");
 }

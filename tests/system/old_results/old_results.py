@@ -118,7 +118,7 @@ class OldResults(unittest.TestCase):
                            for each in (path, self.today))
         self.assertEqual(set(missing) - set(before), {"peak_yaw"})
         self.assertEqual(set(before), {
-            "peak_slide", "time_of_fall", "peak_travel", "residual_travel", "peak_swing", "residual_swing",
+            "peak_slide", "time_of_fall", "time_of_toppling", "peak_travel", "residual_travel", "peak_swing", "residual_swing",
             "time_of_release", "largest_stop_speed"})
         for command in (["fragility", "--json"], ["measures"]):
             said = [support.gurney(command[0], each, *command[1:]).replace(each, "FILE")
