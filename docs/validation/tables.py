@@ -133,8 +133,9 @@ def icu_ventilator_ida(results):
 
 def crash_cart_drawers(results):
     table = runs_of(f"{results}/crash_cart_drawers.h5")
-    events = (table.peak_travel > 0.05, table.time_of_fall >= 0, table.peak_displacement > 1,
-              table.overturned & (table.item == "cart"))
+    cart = table.item == "cart"
+    events = (table.peak_travel > 0.05, table.time_of_fall >= 0, cart & (table.peak_displacement > 1),
+              cart & table.overturned)
     for brakes in ("off", "on"):
         for drawers in ("latched", "locked"):
             cells = []

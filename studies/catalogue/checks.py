@@ -219,10 +219,26 @@ def other_suites(tables):
             *table(["item", "catalogue, 6 draws", "records, 20 draws", "ratio"], draws)]
 
 
+def six_draws(tables):
+    """Medians with six draws of each motion over those with one, brakes on."""
+    rows = read(tables, "six_draws.csv")
+    falls = ([row["item"], interval(row, "theta"), interval(row, "other"), f"{float(row['ratio']):.2f}"]
+             for row in rows if row["limit_state"] == "overturned")
+    return ["## Draws of each motion", "",
+            *wrapped("All items with six draws of item, casters and yaw for each motion in place of one, flexible building, open "
+                     "floor, brakes on ([how](methods.md#other-motions)). Medians over those of the catalogue, where both are "
+                     "neither extrapolated nor from few outcomes (`six_draws.csv`):"), "",
+            *table(["limit state", "items", "ratio", "lowest", "highest", "within the interval of the catalogue"],
+                   ([each["limit_state"], each["curves"], each["ratio"], each["lowest"], each["highest"], each["within"]]
+                    for each in summary(rows))), "",
+            "Overturning [m/s], with intervals of 95 %:", "",
+            *table(["item", "one draw", "six draws", "ratio"], falls)]
+
+
 def page(tables):
     lines = ["# How far the curves hold", "",
              *wrapped("Checks of the [fragility catalogue](methods.md) on itself and with other motions, from its "
                       "[tables](methods.md#tables).")]
-    for section in (floors, sufficiency, measures, halves, widths, shares, torque, other_suites, not_counted):
+    for section in (floors, sufficiency, measures, halves, widths, shares, six_draws, torque, other_suites, not_counted):
         lines += ["", *section(tables)]
     return lines + [""]

@@ -18,18 +18,19 @@ from words import read
 WHERE = "flexible building,open"
 SETTINGS = ("off", "on")
 FELL = ("something fell", 'event = "fell"')
+TOPPLED = ("something toppled", 'event = "toppled"')
 DRAWER = ("a drawer or tray 50 mm open", 'demand = "peak_travel"\nabove = 0.05\nunit = "m"')
 DOOR = ("a door or rail 20 degrees open", 'demand = "peak_swing"\nabove = 20\nunit = "deg"')
-LOST = {FELL: "contents fall", DRAWER: "a drawer opens", DOOR: "a door opens"}  # or the item overturns
+LOST = {FELL: "contents fall", TOPPLED: "contents topple", DRAWER: "a drawer opens", DOOR: "a door opens"}  # or the item overturns
 # By item its variant and what it can lose.
 VARIANTS = {
-    "crash_cart": ("drawers and defibrillator", (FELL, DRAWER)),
+    "crash_cart": ("drawers and defibrillator", (FELL, TOPPLED, DRAWER)),
     "hospital_bed": ("patient on mattress", ()),
     "icu_bed": ("patient on mattress", ()),
     "icu_ventilator": ("arm and circuit", ()),
     "infusion_pole": ("flexible pole and bags", ()),
-    "medication_cart": ("drawers and computer", (FELL, DRAWER)),
-    "neonatal_incubator": ("door, tray and shelf", (FELL, DRAWER, DOOR)),
+    "medication_cart": ("drawers and computer", (FELL, TOPPLED, DRAWER)),
+    "neonatal_incubator": ("door, tray and shelf", (FELL, TOPPLED, DRAWER, DOOR)),
     "patient_monitor_stand": ("flexible column and tilting monitor", ()),
 }
 SHARED = ("moved 0.3 m", "moved 1 m", "overturned")  # states of the rigid item as well
