@@ -32,7 +32,7 @@ quantity = { value = 4 }
 new = true
 deep.table.y = 5
 part.two.n = 7
-part."*".m = 8
+part."*" = { m = 8, n = 6 }
 )",
                        "a.toml");
   Node tree = base.tree();
@@ -48,7 +48,7 @@ part."*".m = 8
   EXPECT_EQ(root.table("deep")->table("table")->number("x", Range::any()), 1);
   EXPECT_EQ(root.table("deep")->table("table")->number("y", Range::any()), 5);
   std::vector<Table> parts = root.tables("part");
-  EXPECT_EQ(parts[0].number("n", Range::any()), 1);
+  EXPECT_EQ(parts[0].number("n", Range::any()), 6);
   EXPECT_EQ(parts[1].number("n", Range::any()), 7);
   EXPECT_EQ(parts[0].number("m", Range::any()), 8);
   EXPECT_EQ(parts[1].number("m", Range::any()), 8);

@@ -16,6 +16,13 @@ TEST(EpsilonCorrelation, IsOneAtOnePeriodAndSymmetric) {
   EXPECT_NEAR(epsilon_correlation(1, 2), 1 - std::sin(0.366 * std::log(2.)), 1e-12);
 }
 
+// Baker & Jayaram (2008), both below 0.109 s: 1 - 0.105 (1 - 1 / (1 + e^(100 T - 5))) (T - t) / (T - 0.0099), by hand
+// with t = 0.05 and 0.01 s and T = 0.1 s.
+TEST(EpsilonCorrelation, OfShortPeriodsIsThatOfItsRange) {
+  EXPECT_NEAR(epsilon_correlation(0.05, 0.1), 0.942121, 1e-6);
+  EXPECT_NEAR(epsilon_correlation(0.01, 0.1), 1 - 0.105 * 0.993307 * 0.09 / 0.0901, 1e-6);
+}
+
 // A correlation matrix has no negative eigenvalue. The formula is a fit with four decimals, so that one of
 // size n may have one of about -1e-4 n.
 TEST(EpsilonCorrelation, IsACorrelation) {

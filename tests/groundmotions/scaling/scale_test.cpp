@@ -43,6 +43,8 @@ TEST(Scaled, TreatsTheVerticalByItsRule) {
   EXPECT_EQ(pga(own, Direction::kVertical), 3);
   EXPECT_ERROR(scaled(record(), 0), "invented: factors 0 and 0 (vertical): must be finite");
   EXPECT_ERROR(scaled(record(), -1, {.rule = Rule::kKept}), "must be finite numbers > 0");
+  EXPECT_ERROR(scaled(record(), 1, {.rule = Rule::kOwn, .factor = 0}),
+               "factors 1 and 0 (vertical): must be finite");
   EXPECT_ERROR(scaled(record(), NAN), "must be finite numbers > 0");
 }
 

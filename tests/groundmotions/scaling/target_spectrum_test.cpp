@@ -21,6 +21,7 @@ TEST(Asce7Spectrum, HasItsFourBranches) {
   EXPECT_NEAR(s.at(8), 0.075 * kG, 1e-12);
   EXPECT_NEAR(s.at(16), 0.6 * 8 / 256 * kG, 1e-12);
   EXPECT_EQ(s.name, "ASCE 7, S_DS 1 g, S_D1 0.6 g, T_L 8 s");
+  EXPECT_DOUBLE_EQ(asce7_spectrum(kG, 8 * kG, 8).at(8), kG) << "T_S is T_L";
   EXPECT_ERROR(asce7_spectrum(kG, 0, 8), "both must be > 0 and T_L at least S_D1 / S_DS");
   EXPECT_ERROR(s.at(-1), "is not defined at -1 s, only from 0 to inf s");
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "engine/base/csv_row.h"
 #include "groundmotions/suites/grouping.h"
 #include "tests/support/error_text.h"
 #include "tests/support/temp_folder.h"
@@ -30,13 +29,6 @@ std::vector<std::string> names(const Suite& suite) {
   return result;
 }
 
-TEST(CsvRow, TakesQuotedCellsWithCommas) {
-  std::vector<std::string> texts;
-  for (const CsvCell& cell : csv_row(R"( 1, "A, ""B""" ,,x )")) texts.push_back(cell.text);
-  EXPECT_THAT(texts, ElementsAre("1", "A, \"B\"", "", "x"));
-  EXPECT_EQ(csv_row("ab, cd")[1].column, 5u);
-}
-
 TEST(FolderSuite, KnowsTheNameWithoutTheComponent) {
   EXPECT_EQ(name_without_component("RSN1_A_RRS228.AT2", "228"), "RSN1_A_RRS*.AT2");
   EXPECT_EQ(name_without_component("RSN1_A_RRS-UP.AT2", "UP"), "RSN1_A_RRS*.AT2");
@@ -46,6 +38,7 @@ TEST(FolderSuite, KnowsTheNameWithoutTheComponent) {
   EXPECT_EQ(name_without_component("RSN1_ABBAR--T.AT2", "T"), "RSN1_ABBAR*.AT2");
   EXPECT_EQ(name_without_component("RSN1_TCU065-E.AT2", "E"), "RSN1_TCU065*.AT2");
   EXPECT_EQ(name_without_component("STATION.000", "000"), "STATION*");
+  EXPECT_EQ(name_without_component("--E-x.AT2", "E"), "--*-x.AT2") << "nothing else is before it";
   EXPECT_EQ(name_without_component("first.AT2", "090"), "");
   EXPECT_EQ(name_without_component("EAST.AT2", "E"), "");
   EXPECT_EQ(name_without_component("RSN1090_X.AT2", "090"), "");

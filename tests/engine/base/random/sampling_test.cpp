@@ -74,6 +74,13 @@ TEST(LatinHypercube, ReducesTheVarianceOfMeans) {
   EXPECT_LT(worst, 5 / std::sqrt(12e6));
 }
 
+TEST(LatinHypercube, RefusesDrawsThatAreNone) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
+  EXPECT_ERROR(latin_hypercube_draw(1, 0, 5, 5), "draw 5 must be below the number of draws, 5");
+  EXPECT_GT(latin_hypercube_draw(1, 0, 0, kMost), 0);
+  EXPECT_ERROR(latin_hypercube_draw(1, 0, 0, kMost + 1), "1099511627777 draws are too many");
+}
+
 TEST(Sobol, IsBoostsSequenceWithADigitalShift) {
   const std::size_t dimensions = 40;
   boost::random::sobol engine(dimensions);
