@@ -12,6 +12,7 @@ repository.
 import os
 import random
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -130,14 +131,16 @@ def passes(tree, program):
         for i in range(shards)
     ]
     deadline, good = time.monotonic() + SECONDS, True
-    for process in running:
-        try:
-            good &= process.wait(max(0, deadline - time.monotonic()) if good else 0) == 0
-        except subprocess.TimeoutExpired:
-            good = False
-    for process in running:
-        process.kill()
-        process.wait()
+    try:
+        for process in running:
+            try:
+                good &= process.wait(max(0, deadline - time.monotonic()) if good else 0) == 0
+            except subprocess.TimeoutExpired:
+                good = False
+    finally:  # a fault may loop for ever
+        for process in running:
+            process.kill()
+            process.wait()
     return good
 
 
@@ -161,6 +164,7 @@ def main(arguments):
         arguments = arguments[1:]
     if not 1 <= len(arguments) <= 3 or not all(each.isdigit() for each in arguments[1:]):
         sys.exit(__doc__)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # after what `finally` asks for
     tree = Path(arguments[0]).resolve()
     count, seed = [*map(int, arguments[1:]), *[20, 1][len(arguments) - 1:]]
     if listed:
