@@ -82,13 +82,14 @@ std::vector<double> increasing(Table& in, const std::string& key,
 }
 
 /// The patch that sets one dotted key, such as `item.brakes` or `item.bed.variant`.
-Node patch_of(const std::string& key, const Node& value) {
+/// @param stated  where the key stands
+Node patch_of(const std::string& key, const config::Place& stated, const Node& value) {
   Node patch;
   patch.place = value.place;
   const auto dot = key.find('.');
-  Node element = dot == std::string::npos ? value : patch_of(key.substr(dot + 1), value);
+  Node element = dot == std::string::npos ? value : patch_of(key.substr(dot + 1), stated, value);
   element.key = key.substr(0, dot);
-  element.key_place = value.place;
+  element.key_place = stated;
   patch.elements.push_back(std::move(element));
   return patch;
 }
@@ -165,7 +166,7 @@ Factor read_factor(Table in, const Node& node, std::size_t index) {
       in.note("values", " = " + describe(*values) + ": must be an array of 1 or more values");
     else if (!key.empty())
       for (const Node& value : values->elements)
-        factor.levels.push_back({label_of(value), patch_of(key, value)});
+        factor.levels.push_back({label_of(value), patch_of(key, node.find("key")->place, value)});
     mark_read(*values);
   }
   const std::string stated = in.has("level") ? "level" : "values";
