@@ -36,6 +36,7 @@ int loss(const LossOptions& options) {
   const study::ReportUnit unit = report_unit(data, measure),
                           of_levels = unit_of_levels(data, measure);
   for (const double im : options.at) request.at.push_back(im * of_levels.in_si);
+  configurations_with_runs(data, {});  // says which have none
   const auto losses = study_losses(data, consequences, request);
   options.figure.write([&] { return figures::loss_figure(consequences, losses, unit); }, true);
   print_findings(report::loss_findings(data, consequences, losses), options.json);

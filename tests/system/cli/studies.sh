@@ -196,6 +196,31 @@ study 3 " failed" failing.toml -o failing.h5
 [ -e failing.h5 ] || complain "no results of a study with failed runs"
 expect 3 "failing.h5: " "$gurney" run failing.toml -o failing.h5 --overwrite --quiet
 expect 3 '"failed": ' "$gurney" run failing.toml -o failing.h5 --resume --json
+# A configuration of which all do is named, and the others are answered for.
+cat > half.toml <<'TOML'
+schema = "gurney-job/1"
+[[item]]
+name = "first"
+equipment = "hospital_bed"
+[[item]]
+name = "second"
+equipment = "hospital_bed"
+position_m = [2.4, 0]
+[excitation.record]
+synthetic = { kind = "ricker", period_s = 1 }
+[settings]
+duration_s = 0.1
+[study]
+draws = 2
+[[study.factor]]
+name = "place"
+[study.factor.level.far]
+[study.factor.level.near]
+item.second.position_m = { value = [2.4, 0], source = "plan", distribution = { x = { kind = "uniform", low = 0.1, high = 2.4, source = "plan" }, y = { kind = "uniform", low = -0.1, high = 0.1, source = "plan" } } }
+TOML
+study 3 "2 failed" half.toml -o half.h5
+expect 0 "far" "$gurney" loss half.h5 --measure pfv
+grep -q "half.h5: all runs of near failed" stderr || complain "loss leaves a configuration out without a word"
 
 # Files that cannot be.
 study 2 "must end in .h5" small.toml -o a.txt
