@@ -143,7 +143,7 @@ Uncertain<PartDescription> read_part(Table table, const std::vector<PartDescript
   fixed.base = read_carrier(table, "on", before);
   const auto errors = table.document().errors();
   const auto kind = static_cast<JointKind>(table.choice("joint", kJointKinds));
-  if (table.document().errors() > errors)  // which keys a joint of its kind has is not known
+  if (table.document().errors() > errors)  // keys of a joint of unknown kind
     for (const std::string& key : table.keys()) table.set_aside(key);
   fixed.joint.kind = kind;
   fixed.joint.name = fixed.name;
