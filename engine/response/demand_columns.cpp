@@ -56,9 +56,8 @@ constexpr TableColumn<Demands> kDemands[] = {
      "of its height; -1: it did not fall",
      &Demands::time_of_fall, -1},
     {"time_of_toppling", "s",
-     "time at which an item that stands on another has tipped over, there or on its way down; -1: "
-     "it "
-     "did not",
+     "time at which an item that stands on another has tipped over, there or on its way down; "
+     "-1: it did not",
      &Demands::time_of_toppling, -1},
     {"peak_travel", "m", "largest travel of a part on its slider; NaN: it is on none",
      &Demands::peak_travel, kNaN},

@@ -285,9 +285,8 @@ RecordedRun ghost_of(const RecordedRun& run) {
   ghost.time = run.time;
   ghost.items = run.items;
   for (RecordedItem& item : ghost.items) item.wheels.clear();
-  std::ranges::copy_if(run.moments, std::back_inserter(ghost.moments), [](const Moment& each) {
-    return each.kind == "overturned" || each.kind == "toppled";
-  });
+  std::ranges::copy_if(run.moments, std::back_inserter(ghost.moments),
+                       [](const Moment& each) { return each.kind == "overturned"; });
   return ghost;
 }
 

@@ -143,6 +143,14 @@ void add_zones(const Hdf5Reader& file, const RecordedRun& run, std::vector<Momen
     }
 }
 
+/// A time of each item, -1 for never, as in older files that do not have the column.
+std::vector<double> times_of_items(const Hdf5Reader& file, const std::string& column,
+                                   std::size_t items) {
+  if (!file.has(column)) return std::vector<double>(items, -1);
+  file.require_length({column}, items);
+  return file.numbers(column);
+}
+
 void add_items(const Hdf5Reader& file, std::vector<Moment>& all) {
   constexpr double kVisible = 1e-3;  // [m]
   const auto names = file.strings("/items/item");
@@ -152,26 +160,23 @@ void add_items(const Hdf5Reader& file, std::vector<Moment>& all) {
   file.require_length(columns, names.size());
   std::vector<std::vector<double>> of;
   for (const std::string& column : columns) of.push_back(file.numbers(column));
-  const auto toppled = file.has("/items/time_of_toppling") ? file.numbers("/items/time_of_toppling")
-                                                           : std::vector<double>(names.size(), -1);
+  const auto toppled = times_of_items(file, "/items/time_of_toppling", names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (of[0][i] >= 0) all.push_back({of[0][i], "overturned", names[i], "overturns"});
     if (of[1][i] >= kVisible)
       all.push_back({of[2][i], "displacement", names[i],
                      fmt::format("largest displacement, {:.0f} mm", 1000 * of[1][i])});
-    if (of[3][i] >= kRadiansPerDegree && of[0][i] < 0 && toppled.at(i) < 0)
+    if (of[3][i] >= kRadiansPerDegree && of[0][i] < 0 && toppled[i] < 0)
       all.push_back({of[4][i], "tilt", names[i],
                      fmt::format("largest tilt, {:.1f} deg", of[3][i] / kRadiansPerDegree)});
   }
 }
 
-/// Latches that let go and items that fell or toppled: of a time of -1 none. Older files have none of them.
+/// Latches that let go and items that fell or toppled.
 void add_times(const Hdf5Reader& file, const std::string& column, const std::string& kind,
                const std::string& text, std::vector<Moment>& all) {
-  if (!file.has(column)) return;
   const auto names = file.strings("/items/item");
-  const auto times = file.numbers(column);
-  file.require_length({column}, names.size());
+  const auto times = times_of_items(file, column, names.size());
   for (std::size_t i = 0; i < names.size(); ++i)
     if (times[i] >= 0) all.push_back({times[i], kind, names[i], text});
 }

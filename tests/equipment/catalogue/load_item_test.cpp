@@ -334,8 +334,7 @@ TEST(LoadItem, PartsComeToRest) {
   EXPECT_NEAR(flap.parts[0].model.shape[0].size.z(), 0.2, 2e-3);
 }
 
-// What follows from an error of a joint is none of its own: keys of a kind that is not known, a way between limits that
-// are not.
+// Keys of a joint of unknown kind, and the way between limits of which one is refused, are no errors of their own.
 TEST(LoadItem, AJointInErrorIsSaidOnce) {
   const TempFolder folder;
   const std::string file = folder.path() + "/cart.toml",

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
+#include "studies/results/columns.h"
+
 namespace gurney::study {
 namespace {
 
@@ -16,6 +20,14 @@ TEST(LimitState, OfNoItemIsOfThoseOfTheJob) {
   EXPECT_TRUE(counts_of({Of::kItem, "peak_displacement", "cart/drawer", ""}, "cart/drawer"));
   EXPECT_FALSE(counts_of({Of::kItem, "peak_displacement", "cart/drawer", ""}, "cart"));
   EXPECT_TRUE(counts_of({Of::kPoint, "peak_absolute_acceleration", "", "screen"}, "cart/arm"));
+}
+
+// A misspelt column would never count.
+TEST(LimitState, OfPartsAndContentsHasTheirNineDemands) {
+  const auto counted = std::ranges::count_if(demand_columns(), [](const auto& column) {
+    return counts_of({Of::kItem, column.name, "", ""}, "cart/drawer");
+  });
+  EXPECT_EQ(counted, 9);
 }
 
 // The values of a run that was just made, as those of its file (study_data_test.cpp).
