@@ -64,13 +64,14 @@ double ContactSearch::next(const SceneState& state, double time, double until) c
   return parts < 2 ? until : time + remaining / parts;
 }
 
-const std::vector<BodyContact>& ContactSearch::find(const SceneState& state, double step) {
+const std::vector<BodyContact>& ContactSearch::find(const SceneState& state, double step,
+                                                    const Riders* riders) {
   contacts_.clear();
   travels_.observe(state);
   const double margin = WheelSearch::kMargin + 2 * step * approach_speed(assembly_, state);
   for (std::size_t i = 0; i < floor_points_.size(); ++i)
     floor_points_[i].collect(state.items[i], travels_.of(i), margin, contacts_);
-  chassis_points_.collect(state, travels_, step, margin, contacts_);
+  chassis_points_.collect(state, travels_, step, margin, contacts_, riders);
   if (skip_clear_passes_ && !wheel_clearance_.any_near(state, travels_, kWheelRange))
     return contacts_;
   wheels_.collect(state, step, contacts_);

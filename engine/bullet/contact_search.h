@@ -30,7 +30,9 @@ class ContactSearch {
 
   /// The contacts that may push within the step that begins at `state`; valid until the next call.
   /// @param step  until the next search, >= 0 [s]
-  const std::vector<BodyContact>& find(const SceneState& state, double step);
+  /// @param riders  bodies that move together touch each other nowhere; none: none does
+  const std::vector<BodyContact>& find(const SceneState& state, double step,
+                                       const Riders* riders = nullptr);
 
   /// How often Bullet was asked.
   long collision_passes() const { return collision_passes_; }

@@ -93,8 +93,10 @@ ImpactLaw::Result ImpactLaw::finish(const Stage& stage, const Vector3& u,
   result.compression = stage.compression - stage.tau * u.z();
   const Normal n = normal(stage, u.z());
   result.damping_power = -n.damping_force * u.z();
-  result.spring_rates =
-      one_sided_rates(stiffness_, stage.compression, result.compression, stage.tau);
+  result.spring_rates = one_sided_rates(
+      stiffness_,
+      {stage.compression - stage.turned, stage.compression, result.compression, stage.ahead},
+      stage.tau);
   // Between the end of the force and that of the overlap the deflection still relaxes.
   if (result.compression <= 0) {
     result.spring_rates += tangential_stiffness_ * (stage.deflection / stage.tau).squaredNorm();

@@ -36,6 +36,8 @@ class ImpactLaw {
     double compression = 0;  ///< at zero u_z: d = compression - tau u_z [m]
     double approach_speed = 0;
     Vector2 deflection = Vector2::Zero();
+    double turned = 0;  ///< of the compression: what it is more than at the start of the stage [m]
+    double ahead = 0;   ///< as OneSidedStage
   };
   struct Result {
     Vector3 force = Vector3::Zero();
@@ -56,7 +58,9 @@ class ImpactLaw {
   double stored_energy(double compression, double deflection) const;
   /// Slope of the force at the first touch: how fast an impact changes [N/m].
   double impact_stiffness() const { return stiffness_ * (1 + damping_number_); }
+  double stiffness() const { return stiffness_; }  ///< k [N/m]
   double tangential_stiffness() const { return tangential_stiffness_; }
+  double friction() const { return friction_; }
   double rolling_resistance() const { return rolling_resistance_; }  ///< [m]
   bool compliant() const { return compliant_; }
 

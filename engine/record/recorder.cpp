@@ -75,6 +75,8 @@ Recorder::Recorder(const Scene& scene, const Assembly& assembly, std::size_t ite
   origin_start_ = start.position + rotation * origin_;
   const std::optional<Support>& on = scene.items[item].on;
   on_item_ = on && on->kind == Support::Kind::kItem;
+  for (std::size_t i = 0; i < scene.items.size(); ++i)
+    if (stands_on(scene, i, item)) carries_.push_back(static_cast<int>(i));
   const bool on_part = on_item_ && assembly.is_part(on->index);
   if (assembly.is_part(item) || on_part) {
     const auto settled = [&](std::size_t i) -> Vector3 {
@@ -306,7 +308,10 @@ void Recorder::finish(const SceneState& state, const EnergyAccount& account, dou
   d.residual_displacement_y = current_.displacement.y();
   d.residual_yaw = current_.yaw;
   for (const Impact& impact : response.impacts) {
-    if (impact.item != item_ && impact.other_item != static_cast<int>(item_)) continue;
+    const bool is_first = impact.item == item_;
+    if (!is_first && impact.other_item != static_cast<int>(item_)) continue;
+    const int other = is_first ? impact.other_item : static_cast<int>(impact.item);
+    if (std::ranges::find(carries_, other) != carries_.end()) continue;
     ++d.impacts;
     d.largest_approach_speed = std::max(d.largest_approach_speed, impact.approach_speed);
     d.largest_impulse = std::max(d.largest_impulse, impact.impulse);

@@ -80,7 +80,8 @@ class Recorder {
   // stands on a part, once settled, from where the origin was placed and less what the whole item settles.
   Vector3 tracked_ = Vector3::Zero(), settled_ = Vector3::Zero();
   double yaw_start_, yaw_;
-  bool on_item_ = false;  // it stands on another
+  bool on_item_ = false;      // it stands on another
+  std::vector<int> carries_;  // the others that stand on it
   bool has_overturned_ = false;
   double gravitational_start_, stored_start_;
   EnergyBalance sampled_, checked_;

@@ -55,7 +55,8 @@ struct Demands {
   /// Where the item's z axis leans to as it overturns or topples, from the floor's x axis, -pi to pi;
   /// NaN: it did not [rad].
   double direction_of_overturning = std::numeric_limits<double>::quiet_NaN();
-  int impacts = 0;                    ///< of this item: see Response::impacts
+  /// Of this item but for those with what stands on it, which are that one's: see Response::impacts.
+  int impacts = 0;
   double largest_approach_speed = 0;  ///< of an impact [m/s]
   double largest_impulse = 0;         ///< [N s]
   double peak_impact_force =

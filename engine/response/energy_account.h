@@ -15,7 +15,8 @@ struct EnergyAccount {
   double work_of_floor = 0;
   double work_of_forces = 0;    ///< of point forces and string potentiometers
   double work_of_fixtures = 0;  ///< of guides with prescribed motion and guides that hold
-  /// Work of contacts between items, at the later item's side: what it gives, the earlier one takes.
+  /// Work of contacts between items, at the later item's side: what it gives, the earlier one takes. And what springs
+  /// between the two take while one rides on the other.
   double work_of_neighbours = 0;
   double rolling_loss = 0;     ///< rolling resistance, W_R
   double sliding_loss = 0;     ///< sliding and scrub of the patch

@@ -43,8 +43,9 @@ std::string miss_of(const std::string& item, const Recorder& recorder) {
 
 struct Integration {
   Response response;
-  double trusted_until =
-      -1;  ///< when the first item overturned, the balance being right; < 0: never [s]
+  /// When the first item overturned or toppled, the balance being right; < 0: never [s].
+  double trusted_until = -1;
+  std::size_t first_over = 0;  ///< that item
 };
 
 /// @param parts  of each time step once an item has overturned
@@ -75,7 +76,8 @@ Integration integrate(const Scene& scene, const Assembly& assembly, const FloorM
     const double longest = overturned && parts > 1 ? (until - time) / parts * (1 + 1e-9) : kNoLimit;
     for (double now = time; now < until;) {
       const double stop = search.next(state, now, std::min(until, now + longest));
-      stepper.set_contacts(search.find(state, stop - now), state);
+      stepper.board(state);
+      stepper.set_contacts(search.find(state, stop - now, &stepper.riders()), state);
       if (auto cause = stepper.advance(state, stop, observer)) return cause;
       now = stop;
     }
@@ -95,6 +97,7 @@ Integration integrate(const Scene& scene, const Assembly& assembly, const FloorM
   check();
   zones.observe(time, 0, state);
   double trusted_until = -1;
+  std::size_t first_over = 0;
   std::vector<RunClock::ItemMotion> motions(count);
   while (clock.next(time)) {
     const double began = time;
@@ -115,6 +118,7 @@ Integration integrate(const Scene& scene, const Assembly& assembly, const FloorM
     for (std::size_t i = 0; i < count; ++i) {
       if (clock.overturned_at(i) != time) continue;
       recorders[i].overturned();
+      if (!overturns && !overturned) first_over = i;
       overturns = true;
     }
     if (!overturns || overturned) continue;
@@ -142,7 +146,7 @@ Integration integrate(const Scene& scene, const Assembly& assembly, const FloorM
     recorders[i].finish(state, stepper.accounts()[i], clock.overturned_at(i), response);
   supports.finish(response.items);
   joints.finish(response.items);
-  return {std::move(response), trusted_until};
+  return {std::move(response), trusted_until, first_over};
 }
 
 /// Whether one item, with its parts, is all that moves.
@@ -165,10 +169,12 @@ Response simulate(const Scene& scene, const FloorMotion& floor,
     if (!is_failure(finer.response.outcome)) return std::move(finer.response);
   }
   if (!is_alone(assembly)) {
-    run.response.cause += fmt::format(
-        "; the balance is within the limit until an item overturned at {:.3g} s, where "
-        "settings.follow_overturning = false ends the run",
-        run.trusted_until);
+    const PlacedItem& first = scene.items[run.first_over];
+    const bool topples = first.on && first.on->kind == Support::Kind::kItem;
+    run.response.cause +=
+        fmt::format("; the balance is within the limit until {} {} at {:.3g} s{}", first.name,
+                    topples ? "toppled" : "overturned", run.trusted_until,
+                    topples ? "" : ", where settings.follow_overturning = false ends the run");
     return std::move(run.response);
   }
   // What an overturned item does on the floor is not what a study asks for, and a study that excludes

@@ -160,6 +160,14 @@ std::size_t carrier_of(const Scene& scene, std::size_t item) {
   return item;
 }
 
+bool stands_on(const Scene& scene, std::size_t item, std::size_t below) {
+  const std::size_t root = root_of(scene, below);
+  if (root_of(scene, item) == root) return false;
+  for (auto next = item_below(scene, item); next; next = item_below(scene, *next))
+    if (root_of(scene, *next) == root) return true;
+  return false;
+}
+
 Vector3 placed_point(const Scene& scene, std::size_t item, const Vector3& point) {
   const InitialMotion& initial = scene.items[item].initial;
   Vector3 origin(initial.position.x(), initial.position.y(), 0);

@@ -66,6 +66,9 @@ std::size_t root_of(const Scene& scene, std::size_t item);
 /// room; or itself.
 std::size_t carrier_of(const Scene& scene, std::size_t item);
 
+/// Whether an item stands on another or a part of it, directly or over others.
+bool stands_on(const Scene& scene, std::size_t item, std::size_t below);
+
 /// A point of an item as it is placed, item axes, in floor axes.
 Vector3 placed_point(const Scene& scene, std::size_t item, const Vector3& point);
 /// Where a tether ends as all is placed, floor axes.

@@ -18,6 +18,7 @@ struct SimulationSettings {
   bool follow_overturning = true;             ///< goes on until all lies at rest; else ends there
   double history_step =
       0.02;  ///< spacing of the histories, rounded to whole steps; 0: none kept [s]
+  bool merge_held_bodies = true;  ///< what sticks, is latched or locked moves with its carrier
   bool skip_clear_collision_passes =
       true;  ///< skip Bullet's collision pass while nothing can be near
 };

@@ -88,14 +88,6 @@ Vector3 Assembly::velocity(const BodyContact& contact, const SceneState& state) 
   return velocity - items[b.item].velocity(b, state.items[b.item]);
 }
 
-double Assembly::effective_mass(const BodyContact& contact, const SceneState& state) const {
-  const BodyContact::Side &a = contact.side, &b = contact.other_side;
-  double mobility = items[a.item].mobility(a, contact.normal, state.items[a.item]);
-  if (contact.between_items())
-    mobility += items[b.item].mobility(b, contact.normal, state.items[b.item]);
-  return 1 / mobility;
-}
-
 std::optional<Assembly::Roller> Assembly::roller(const BodyContact& contact) const {
   std::optional<Roller> found;
   const auto take = [&](const BodyContact::Side& side) {

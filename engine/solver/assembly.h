@@ -30,8 +30,6 @@ struct Assembly {
   double gap(const BodyContact& contact, const SceneState& state) const;
   /// Velocity of the first side relative to the other, floor axes [m/s].
   Vector3 velocity(const BodyContact& contact, const SceneState& state) const;
-  /// Effective mass of the chassis alone for a normal impulse at the contact: less than all of it [kg].
-  double effective_mass(const BodyContact& contact, const SceneState& state) const;
 
   /// Whether two items are bodies of one mechanism: joints hold them, and they do not touch.
   bool joined(std::size_t a, std::size_t b) const { return roots[a] == roots[b]; }

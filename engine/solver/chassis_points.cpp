@@ -181,7 +181,8 @@ void ChassisPoints::between(std::size_t a, std::size_t b, const Search& search) 
 }
 
 void ChassisPoints::collect(const SceneState& state, const Travels& travels, double step,
-                            double margin, std::vector<BodyContact>& contacts) {
+                            double margin, std::vector<BodyContact>& contacts,
+                            const Riders* riders) {
   const std::size_t count = bodies_.size();
   if (obstacles_.empty() && count == 1) return;
   for (auto& bodies : placed_)
@@ -190,7 +191,7 @@ void ChassisPoints::collect(const SceneState& state, const Travels& travels, dou
   for (std::size_t i = 0; i < count; ++i) {
     against_room(i, search);
     for (std::size_t j = i + 1; j < count; ++j) {
-      if (assembly_.joined(i, j)) continue;
+      if (assembly_.joined(i, j) || (riders && riders->together(i, j))) continue;
       const double distance = (state.items[i].position - state.items[j].position).norm();
       if (distance > reach_[i] + reach_[j] + margin) continue;
       between(i, j, search);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/contact/body_form.h"
+#include "engine/solver/riders.h"
 #include "engine/solver/travel.h"
 
 namespace gurney {
@@ -22,8 +23,9 @@ class ChassisPoints {
   /// Appends the contacts with a gap of at most `margin` [m].
   /// @param travels  up to `state`
   /// @param step     until this is asked again [s]
+  /// @param riders   bodies that move together touch each other nowhere; none: none does
   void collect(const SceneState& state, const Travels& travels, double step, double margin,
-               std::vector<BodyContact>& contacts);
+               std::vector<BodyContact>& contacts, const Riders* riders = nullptr);
 
  private:
   struct Obstacle {

@@ -11,8 +11,10 @@ std::size_t Islands::first_of(std::size_t item) {
   return item;
 }
 
-void Islands::update(std::vector<BodyContact>& contacts, const std::vector<JointLaw>& joints,
-                     std::size_t items) {
+void Islands::update(std::vector<BodyContact>& contacts, const Assembly& assembly,
+                     const Riders& riders) {
+  const std::vector<JointLaw>& joints = assembly.joints;
+  const std::size_t items = assembly.items.size();
   parent_.resize(items);
   island_of_.resize(items);
   std::iota(parent_.begin(), parent_.end(), std::size_t{0});
@@ -23,6 +25,8 @@ void Islands::update(std::vector<BodyContact>& contacts, const std::vector<Joint
   for (const JointLaw& law : joints) join(law.joint().base, law.joint().part);
   for (const BodyContact& contact : contacts)
     if (contact.between_items()) join(contact.side.item, contact.other_side.item);
+  for (std::size_t i = 0; i < items; ++i)
+    if (riders.rides(i)) join(i, riders.carrier(i));
   const auto key = [&](const BodyContact& c) {
     const Vector3 &at = c.side.local, &n = c.normal;
     return std::tuple(first_of(c.side.item), c.side.item, c.other, c.side.caster, c.other_side.item,
@@ -48,6 +52,15 @@ void Islands::update(std::vector<BodyContact>& contacts, const std::vector<Joint
     while (next < contacts.size() && first_of(contacts[next].side.item) == island.items.front())
       ++next;
     island.end_contact = next;
+  }
+}
+
+void Islands::widen(const Island& island, std::size_t contacts) {
+  const auto index = static_cast<std::size_t>(&island - islands_.data());
+  islands_[index].end_contact += contacts;
+  for (std::size_t k = index + 1; k < count_; ++k) {
+    islands_[k].first_contact += contacts;
+    islands_[k].end_contact += contacts;
   }
 }
 

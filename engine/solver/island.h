@@ -3,12 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "engine/contact/body_contact.h"
-#include "engine/solver/joint_law.h"
+#include "engine/solver/riders.h"
 
 namespace gurney {
 
-/// Items that may touch each other in a step or hang on each other: they are solved together, all others apart.
+/// Items that may touch each other in a step, hang on each other or ride on each other: they are solved together, all others apart.
 struct Island {
   std::vector<std::size_t> items;                  ///< indices in Scene::items, increasing
   std::size_t first_contact = 0, end_contact = 0;  ///< theirs, in SceneState::contacts
@@ -18,9 +17,10 @@ struct Island {
 /// The islands of a scene, by their first items.
 class Islands {
  public:
-  /// Finds the islands of a scene of `items` items; sorts `contacts` by island.
-  void update(std::vector<BodyContact>& contacts, const std::vector<JointLaw>& joints,
-              std::size_t items);
+  /// Finds the islands of a scene; sorts `contacts` by island.
+  void update(std::vector<BodyContact>& contacts, const Assembly& assembly, const Riders& riders);
+  /// Makes room for so many more contacts behind those of an island.
+  void widen(const Island& island, std::size_t contacts);
 
   std::span<const Island> all() const { return {islands_.data(), count_}; }
 

@@ -103,6 +103,22 @@ void ItemStage::add_contact_force(int caster, const Matrix36& chassis, const Mat
     lanes_of(caster).add_joint_residual(lane_of(caster), -tau_ * joints.transpose() * force);
 }
 
+void ItemStage::carry_residual(const Vector3& arm, const Vector6& residual) {
+  // T' r, with T' = | 1    0 |;  the residual is -tau times what force_ sums.
+  //                 | [s]x 1 |
+  force_.head<3>() -= residual.head<3>() / tau_;
+  force_.tail<3>() -= (arm.cross(residual.head<3>()) + residual.tail<3>()) / tau_;
+}
+
+void ItemStage::carry_matrix(const Vector3& arm, const Matrix6& matrix) {
+  // T' K T by columns, then by rows: d' [s]x = -(s x d)'.
+  Matrix6 carried = matrix;
+  for (int k = 0; k < 6; ++k) carried.block<3, 1>(3, k) += arm.cross(matrix.block<3, 1>(0, k));
+  for (int k = 0; k < 6; ++k)
+    carried.block<1, 3>(k, 3) += arm.cross(carried.block<1, 3>(k, 0).transpose()).transpose();
+  matrix_ += carried;
+}
+
 double ItemStage::end_forces(const Input& input, const Velocity& v) {
   const double tau = input.tau;
   load_rows_.clear();

@@ -63,6 +63,12 @@ class ItemStage {
   /// @returns the largest entry as a fraction of M g tau
   double end_forces(const Input& input, const Velocity& v);
 
+  /// After end_forces(): M (v - v_start) - tau f, which a body that rides leaves to its carrier.
+  const Vector6& residual() const { return residual_; }
+  /// Takes over the residual of a body that rides at `arm` from the chassis' centre, and its K.
+  void carry_residual(const Vector3& arm, const Vector6& residual);
+  void carry_matrix(const Vector3& arm, const Matrix6& matrix);
+
   /// K at the last v: begin, add every contact, then eliminate the joints of casters not kept. Each
   /// residual, of this v or a later one, is then reduced alike.
   void begin_matrix();

@@ -170,6 +170,8 @@ ImpactLaw::Stage JointLaw::at_stop(const Stage& stage, int side) const {
   const double q = stage.rows.rows[*stage.rows.along].value;
   ImpactLaw::Stage at;
   at.tau = stage.tau;
+  at.ahead = stage.ahead;
+  at.turned = (side == 0 ? 1 : -1) * (stage.start.coordinate - q);
   at.compression = side == 0 ? joint_.lower - q : q - joint_.upper;
   at.approach_speed = stage.start.approach[static_cast<std::size_t>(side)];
   return at;
@@ -260,6 +262,48 @@ double JointLaw::finish(const Stage& stage, const std::array<double, kRows>& rat
     spring_rates += result.spring_rates;
   }
   return spring_rates;
+}
+
+double JointLaw::along(const Pose& base, const Pose& part, const Vector6& wrench) const {
+  const Vector3 axis = base.rotation * joint_.axis, force = wrench.head<3>();
+  if (slides()) return axis.dot(force);
+  return axis.dot(wrench.tail<3>() - (part.rotation * on_part_).cross(force));
+}
+
+Vector6 JointLaw::shift(const Pose& base, const Pose& part, double by) const {
+  const Vector3 moved = by * (base.rotation * joint_.axis);
+  Vector6 shift;
+  if (slides())
+    shift << moved, Vector3::Zero();
+  else
+    shift << (part.rotation * on_part_).cross(moved), moved;
+  return shift;
+}
+
+JointState JointLaw::yielded(const JointState& state, double along) const {
+  JointState end = state;
+  // A force as long as none of the laws changes, which it does at few places.
+  constexpr int kMaxIterations = 20;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const double wound = state.wind + end.coordinate - state.coordinate;
+    end.wind = joint_.friction > 0 ? std::clamp(wound, -kYield, kYield) : 0;
+    double force =
+        latch_stiffness() * (end.coordinate - state.latched_at) + friction_.stiffness * end.wind;
+    double slope = latch_stiffness() + (end.wind == wound ? friction_.stiffness : 0);
+    for (const auto& [compression, away] :
+         {std::pair{joint_.lower - end.coordinate, 1.0}, {end.coordinate - joint_.upper, -1.0}})
+      if (compression > 0) {
+        force -= away * joint_.stop_stiffness * compression;
+        slope += joint_.stop_stiffness;
+      }
+    // Where friction that was wound up the other way loads the latch beyond its strength, it lets go in the next step.
+    constexpr double kLeast = 0.999 * kYield;
+    const double before = end.coordinate;
+    end.coordinate = std::clamp(before - (along + force) / slope, state.latched_at - kLeast,
+                                state.latched_at + kLeast);
+    if (std::abs(end.coordinate - before) < 1e-12) break;
+  }
+  return end;
 }
 
 double JointLaw::past_release(const JointState& state) const {

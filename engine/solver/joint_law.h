@@ -78,6 +78,7 @@ class JointLaw {
     double tau = 0;
     Rows rows;
     JointState start;
+    double ahead = 0;  ///< as ImpactLaw::Stage
   };
   struct Force {
     double force = 0;  ///< T
@@ -109,6 +110,14 @@ class JointLaw {
   std::array<Approach, 2> approaches(const JointState& state, double rate) const;
   /// Travel of the part's centre of mass by q: 1, or its distance from a hinge [m/rad].
   double arm() const { return slides() ? 1 : on_part_.cross(joint_.axis).norm(); }
+  bool locked() const { return std::isinf(joint_.latch); }
+  /// What the joint bears along q where this wrench about its centre holds the part [N], [N m].
+  double along(const Pose& base, const Pose& part, const Vector6& wrench) const;
+  /// How a part moves at its centre, and turns, where q grows by this little.
+  Vector6 shift(const Pose& base, const Pose& part, double by) const;
+  /// q at which latch, friction and stops bear this along q, what sticks from where it is; and the friction's
+  /// deflection there.
+  JointState yielded(const JointState& state, double along) const;
   /// Whether it has a latch that lets go, or is a tether that may break.
   bool releases() const { return joint_.latch > 0 && !locked(); }
   bool has_stops() const { return std::isfinite(joint_.lower) || std::isfinite(joint_.upper); }
@@ -121,7 +130,6 @@ class JointLaw {
   Force along(const Stage& stage, double rate) const;
   ImpactLaw::Stage at_stop(const Stage& stage, int side) const;
   bool slides() const { return joint_.kind == Joint::Kind::kSlider; }
-  bool locked() const { return std::isinf(joint_.latch); }
   double latch_stiffness() const {
     return locked() ? (slides() ? hold_ : hold_turn_) : joint_.latch / kYield;
   }

@@ -8,6 +8,9 @@ namespace gurney {
 /// start.
 inline constexpr double kSdirkGamma = 0.29289321881345247560;
 
+/// From the start of a step over the end of its first stage to the start of its second.
+inline constexpr double kSdirkExtrapolation = (1 - kSdirkGamma) / kSdirkGamma;
+
 /// Values that the two stages take for a given function of time, so that their weighted sum is the
 /// exact mean of the function over the step and linear functions are met at the stage times.
 template <typename Value>

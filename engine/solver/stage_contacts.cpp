@@ -1,3 +1,4 @@
+#include "engine/solver/quadrature.h"
 #include "engine/solver/stage_solver.h"
 
 // Contacts of bodies in a stage.
@@ -106,8 +107,10 @@ void StageSolver::update_contacts(const Input& input, const std::vector<Velocity
     gap -= contact.offset;
     set_rolling(work);
     work.stage.tau = input.tau;
+    work.stage.ahead = input.loads.first ? kSdirkExtrapolation : 0;
     // Laws take the compression at zero rate, so that it ends at compression - tau u_z.
     work.stage.compression = -gap + input.tau * contact_rates(work, v).z();
+    work.stage.turned = work.stage.compression - memory.compression;
     work.stage.approach_speed = memory.approach_speed;
     work.stage.deflection = work.frame.topRows<2>() * memory.deflection;
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <type_traits>
 
 #include "engine/solver/solve6.h"
@@ -30,37 +31,45 @@ void StageSolver::set_matrices(const Input& input) {
     if (work.contact->between_items()) add(work.contact->other_side, work.other_side);
   }
   add_joint_slopes();
-  for (std::size_t i : input.island->items) items_[i].eliminate();
+  for (std::size_t i : std::views::reverse(riders_))
+    items_[carriers_[i]].carry_matrix(arms_[i], items_[i].matrix());
+  for (const JointWork& work : joints_)
+    if (within_one(work)) {
+      const Matrix6 slopes = coupling(work, input.tau);
+      items_[roots_[work.part()]].add_slope(slopes + slopes.transpose());
+    }
+  for (std::size_t i : free_) items_[i].eliminate();
 }
 
 void StageSolver::newton_step(const Input& input, bool anew, std::vector<Velocity>& v) {
-  const std::vector<std::size_t>& island = input.island->items;
   if (anew) set_matrices(input);
-  for (std::size_t i : island) items_[i].eliminate_residual();
-  if (island.size() == 1) {
-    const ItemStage& item = items_[island.front()];
-    item.apply(solve6(item.matrix(), item.right_side()), v[island.front()]);
+  for (std::size_t i : free_) items_[i].eliminate_residual();
+  if (free_.size() == 1) {
+    const ItemStage& item = items_[free_.front()];
+    item.apply(solve6(item.matrix(), item.right_side()), v[free_.front()]);
+    follow(v);
     return;
   }
   if (anew) factor(input);
-  Factors& factors = factors_[island.front()];
-  for (std::size_t p = 0; p < island.size(); ++p) {
-    const ItemStage& item = items_[island[p]];
-    auto right_side = factors.system.right_side(block_of_[island[p]]);
+  Factors& factors = factors_[free_.front()];
+  for (std::size_t p = 0; p < free_.size(); ++p) {
+    const ItemStage& item = items_[free_[p]];
+    auto right_side = factors.system.right_side(block_of_[free_[p]]);
     right_side.head<6>() = item.right_side();
     for_kept(factors.layouts[p], [&](int j, Eigen::Index at) {
       right_side.segment<2>(at) = -item.lanes_of(j).joint_residual(ItemStage::lane_of(j));
     });
   }
   factors.system.solve();
-  for (std::size_t p = 0; p < island.size(); ++p) {
-    const std::size_t i = island[p];
+  for (std::size_t p = 0; p < free_.size(); ++p) {
+    const std::size_t i = free_[p];
     const auto step = factors.system.right_side(block_of_[i]);
     items_[i].apply(step.head<6>(), v[i]);
     for_kept(factors.layouts[p], [&](int j, Eigen::Index at) {
       v[i].joints[static_cast<std::size_t>(j)] += step.segment<2>(at);
     });
   }
+  follow(v);
 }
 
 StageSolver::Layout StageSolver::layout_of(std::size_t item) const {
@@ -74,29 +83,27 @@ StageSolver::Layout StageSolver::layout_of(std::size_t item) const {
 }
 
 bool StageSolver::has_factors(const Input& input) const {
-  const std::vector<std::size_t>& island = input.island->items;
-  const Factors& factors = factors_[island.front()];
-  if (island.size() == 1 || factors.items != island) return false;
+  const Factors& factors = factors_[free_.front()];
+  if (free_.size() == 1 || factors.items != free_) return false;
   if (std::abs(factors.tau - input.tau) > kLikeTau * input.tau) return false;
-  return std::ranges::equal(island, factors.layouts, {},
+  return std::ranges::equal(free_, factors.layouts, {},
                             [&](std::size_t i) { return layout_of(i); });
 }
 
 void StageSolver::factor(const Input& input) {
-  const std::vector<std::size_t>& island = input.island->items;
-  Factors& factors = factors_[island.front()];
+  Factors& factors = factors_[free_.front()];
   BlockSystem& system = factors.system;
-  factors.items = island;
+  factors.items = free_;
   factors.tau = input.tau;
   factors.layouts.clear();
-  for (std::size_t i : island) factors.layouts.push_back(layout_of(i));
+  for (std::size_t i : free_) factors.layouts.push_back(layout_of(i));
   // Items that hang or stand on others come later in the scene and are eliminated first.
   system.clear();
-  for (std::size_t p = island.size(); p-- > 0;) system.add_block(factors.layouts[p].size);
+  for (std::size_t p = free_.size(); p-- > 0;) system.add_block(factors.layouts[p].size);
   system.set_zero();
-  for (std::size_t p = 0; p < island.size(); ++p) {
-    const ItemStage& item = items_[island[p]];
-    const std::size_t own = block_of_[island[p]];
+  for (std::size_t p = 0; p < free_.size(); ++p) {
+    const ItemStage& item = items_[free_[p]];
+    const std::size_t own = block_of_[free_[p]];
     auto K = system.block(own, own);
     K.topLeftCorner<6, 6>() = item.matrix();
     for_kept(factors.layouts[p], [&](int j, Eigen::Index at) {
@@ -111,7 +118,7 @@ void StageSolver::factor(const Input& input) {
     if (work.contact->between_items() && work.pushes()) couple(work, factors);
   for (const JointWork& work : joints_) couple(work, factors);
   // Couplings have filled the rows of guided directions again.
-  for (std::size_t i : island)
+  for (std::size_t i : free_)
     for (int dof = 0; dof < 6; ++dof) {
       if (!items_[i].constrained(dof)) continue;
       const std::size_t own = block_of_[i];
@@ -126,13 +133,13 @@ void StageSolver::factor(const Input& input) {
 /// -tau J_b' D J_a.
 void StageSolver::couple(const ContactWork& work, Factors& factors) {
   const BodyContact::Side &a = work.contact->side, &b = work.contact->other_side;
-  const std::size_t of_a = block_of_[a.item], of_b = block_of_[b.item];
+  const std::size_t of_a = block_of_[roots_[a.item]], of_b = block_of_[roots_[b.item]];
+  const Vector3 at_a = from_root(a.item, work.side.point),
+                at_b = from_root(b.item, work.other_side.point);
   factors.system.couple(of_a, of_b);
   auto K_ab = factors.system.block(of_a, of_b), K_ba = factors.system.block(of_b, of_a);
-  K_ab.topLeftCorner<6, 6>() -=
-      slope_between(work.in_floor_axes, work.side.point, work.other_side.point);
-  K_ba.topLeftCorner<6, 6>() -=
-      slope_between(work.in_floor_axes, work.other_side.point, work.side.point);
+  K_ab.topLeftCorner<6, 6>() -= slope_between(work.in_floor_axes, at_a, at_b);
+  K_ba.topLeftCorner<6, 6>() -= slope_between(work.in_floor_axes, at_b, at_a);
   if (work.rolls) {
     const Matrix3 turning = factors.tau * work.rolling.slope;
     K_ab.block<3, 3>(3, 3) -= turning;
@@ -150,24 +157,31 @@ void StageSolver::couple(const ContactWork& work, Factors& factors) {
     return factors.layouts[factors.items.size() - 1 - block]
         .joints[static_cast<std::size_t>(caster)];
   };
-  if (a.caster >= 0) add(joint(of_a, a.caster), work.side.joints, 0, work.other_side.chassis);
-  if (b.caster >= 0) add(0, work.side.chassis, joint(of_b, b.caster), work.other_side.joints);
+  if (a.caster >= 0)
+    add(joint(of_a, a.caster), work.side.joints, 0, of_root(b.item, work.other_side.chassis));
+  if (b.caster >= 0)
+    add(0, of_root(a.item, work.side.chassis), joint(of_b, b.caster), work.other_side.joints);
   if (a.caster >= 0 && b.caster >= 0)
     add(joint(of_a, a.caster), work.side.joints, joint(of_b, b.caster), work.other_side.joints);
 }
 
-/// A joint has -tau sum of dT/du d_p d_b' there.
-void StageSolver::couple(const JointWork& work, Factors& factors) {
-  const std::size_t part = block_of_[work.part()], base = block_of_[work.base()];
+Matrix6 StageSolver::coupling(const JointWork& work, double tau) const {
   Matrix6 slopes = Matrix6::Zero();
   for (std::size_t r = 0; r < work.stage.rows.count; ++r) {
     const JointLaw::Row& row = work.stage.rows.rows[r];
-    const Vector6 scaled = factors.tau * work.forces[r].slope * row.part;
-    slopes.noalias() += scaled * row.base.transpose();
+    const Vector6 scaled = tau * work.forces[r].slope * of_root(work.part(), row.part);
+    slopes.noalias() -= scaled * of_root(work.base(), row.base).transpose();
   }
+  return slopes;
+}
+
+void StageSolver::couple(const JointWork& work, Factors& factors) {
+  if (within_one(work)) return;
+  const std::size_t part = block_of_[roots_[work.part()]], base = block_of_[roots_[work.base()]];
+  const Matrix6 slopes = coupling(work, factors.tau);
   factors.system.couple(part, base);
-  factors.system.block(part, base).topLeftCorner<6, 6>() -= slopes;
-  factors.system.block(base, part).topLeftCorner<6, 6>() -= slopes.transpose();
+  factors.system.block(part, base).topLeftCorner<6, 6>() += slopes;
+  factors.system.block(base, part).topLeftCorner<6, 6>() += slopes.transpose();
 }
 
 }  // namespace gurney

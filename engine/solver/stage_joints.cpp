@@ -1,15 +1,18 @@
+#include "engine/solver/quadrature.h"
 #include "engine/solver/stage_solver.h"
 
 // Joints between items in a stage.
 namespace gurney {
 
 void StageSolver::update_joints(const Input& input, const std::vector<Velocity>& v) {
-  joints_.resize(input.island->joints.size());
-  for (std::size_t k = 0; k < joints_.size(); ++k) {
-    JointWork& work = joints_[k];
-    const std::size_t j = input.island->joints[k];
+  joints_.clear();
+  for (std::size_t j : input.island->joints) {
+    if (input.riders && input.riders->rests(j)) continue;
+    JointWork& work = joints_.emplace_back();
+    work.index = j;
     work.law = &assembly_.joints[j];
     work.stage.tau = input.tau;
+    work.stage.ahead = input.loads.first ? kSdirkExtrapolation : 0;
     work.stage.start = input.start->joints[j];
     work.stage.rows = work.law->rows(items_[work.base()].pose(), items_[work.part()].pose(),
                                      work.stage.start.coordinate);
@@ -43,11 +46,11 @@ void StageSolver::add_joint_slopes() {
 
 void StageSolver::finish_joints(const Input& input, Output& out) const {
   out.end.joints.resize(input.start->joints.size());
-  for (std::size_t k = 0; k < joints_.size(); ++k) {
-    const JointWork& work = joints_[k];
+  for (std::size_t j : input.island->joints) out.end.joints[j] = input.start->joints[j];
+  for (const JointWork& work : joints_) {
     ItemStage::Output& part = out.items[work.part()];
-    part.spring_rates += work.law->finish(work.stage, work.rates, part.power,
-                                          out.end.joints[input.island->joints[k]]);
+    part.spring_rates +=
+        work.law->finish(work.stage, work.rates, part.power, out.end.joints[work.index]);
     // Power of T on the base is work between the two; what is left of it on the part, -T u, is in losses and springs.
     double given = 0;
     for (std::size_t r = 0; r < work.stage.rows.count; ++r)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "engine/base/units.h"
 
@@ -30,6 +31,10 @@ StageSolver::StageSolver(const Assembly& assembly, const Settings& settings)
     : assembly_(assembly),
       settings_(settings),
       inputs_(assembly.items.size()),
+      carriers_(assembly.items.size()),
+      roots_(assembly.items.size()),
+      arms_(assembly.items.size(), Vector3::Zero()),
+      arms_from_root_(arms_),
       v_(assembly.items.size()),
       factors_(assembly.items.size()),
       block_of_(assembly.items.size()) {
@@ -46,8 +51,46 @@ void StageSolver::set_input(const Input& input, std::size_t item) {
   of_item.loads.start = &of_item.start->loads;
 }
 
-void StageSolver::update_geometry(const Input& input, const std::vector<Velocity>& v, bool first) {
-  for (std::size_t i : input.island->items) items_[i].update_geometry(inputs_[i], v[i], first);
+void StageSolver::set_riders(const Input& input) {
+  free_.clear();
+  riders_.clear();
+  for (std::size_t i : input.island->items) {
+    const bool rides = input.riders && input.riders->rides(i);
+    (rides ? riders_ : free_).push_back(i);
+    carriers_[i] = rides ? input.riders->carrier(i) : i;
+    roots_[i] = rides ? roots_[carriers_[i]] : i;
+    arms_[i].setZero();
+    arms_from_root_[i].setZero();
+  }
+}
+
+void StageSolver::follow(std::vector<Velocity>& v) const {
+  for (std::size_t i : riders_) v[i].chassis = Riders::velocity(v[carriers_[i]].chassis, arms_[i]);
+}
+
+/// T' d of a generalised direction d of an item.
+Vector6 StageSolver::of_root(std::size_t item, const Vector6& direction) const {
+  Vector6 d = direction;
+  d.tail<3>() += arms_from_root_[item].cross(d.head<3>());
+  return d;
+}
+
+ItemStage::Matrix36 StageSolver::of_root(std::size_t item, const ItemStage::Matrix36& rates) const {
+  ItemStage::Matrix36 of_root;
+  for (int k = 0; k < 3; ++k)
+    of_root.row(k) = this->of_root(item, Vector6(rates.row(k))).transpose();
+  return of_root;
+}
+
+void StageSolver::update_geometry(const Input& input, std::vector<Velocity>& v, bool first) {
+  for (std::size_t i : input.island->items) {
+    if (const std::size_t carrier = carriers_[i]; carrier != i) {
+      arms_[i] = input.riders->arm(i, items_[carrier].pose().rotation);
+      arms_from_root_[i] = arms_from_root_[carrier] + arms_[i];
+      v[i].chassis = Riders::velocity(v[carrier].chassis, arms_[i]);
+    }
+    items_[i].update_geometry(inputs_[i], v[i], first);
+  }
   update_contacts(input, v);
   update_joints(input, v);
 }
@@ -70,8 +113,12 @@ double StageSolver::evaluate_forces(const Input& input, const std::vector<Veloci
     if (work.rolls) add_rolling(input, c, v);
   }
   add_joint_forces(v);
+  for (std::size_t i : std::views::reverse(riders_)) {
+    items_[i].end_forces(inputs_[i], v[i]);
+    items_[carriers_[i]].carry_residual(arms_[i], items_[i].residual());
+  }
   double residual = 0;
-  for (std::size_t i : input.island->items)
+  for (std::size_t i : free_)
     residual = larger_or_nan(residual, items_[i].end_forces(inputs_[i], v[i]));
   return residual;
 }
@@ -82,20 +129,25 @@ double StageSolver::geometry_error(const Island& island, const std::vector<Veloc
   return error;
 }
 
-void StageSolver::take(const std::vector<std::size_t>& island, double part) {
-  for (std::size_t i : island) {
+void StageSolver::take(double part) {
+  for (std::size_t i : free_) {
     v_[i].chassis = before_[i].chassis + part * (full_[i].chassis - before_[i].chassis);
     for (std::size_t j = 0; j < assembly_.items[i].casters.size(); ++j)
       v_[i].joints[j] = before_[i].joints[j] + part * (full_[i].joints[j] - before_[i].joints[j]);
   }
+  follow(v_);
 }
 
 bool StageSolver::solve(const Input& input, Output& out) {
-  const std::vector<std::size_t>& island = input.island->items;
+  set_riders(input);
   // Rounding of M v shows in the residual as M g tau gets small.
   double speed = 0;
-  std::size_t blocks = island.size();  // the last item's comes first
-  for (std::size_t i : island) {
+  std::size_t blocks = free_.size();  // the last item's comes first
+  for (std::size_t i : riders_) {
+    set_input(input, i);
+    v_[i] = input.guess[i];
+  }
+  for (std::size_t i : free_) {
     set_input(input, i);
     v_[i] = input.guess[i];
     block_of_[i] = --blocks;
@@ -109,7 +161,7 @@ bool StageSolver::solve(const Input& input, Output& out) {
     update_geometry(input, v_, pass == 0);
     double residual = evaluate_forces(input, v_);
     int iteration = 0, full_steps = 0;
-    Factors& factors = factors_[island.front()];
+    Factors& factors = factors_[free_.front()];
     double left = has_factors(input) ? factors.left : 1;
     for (; residual > tolerance && iteration < settings_.max_iterations; ++iteration) {
       // Full steps settle most stages in two or three; halving them is for those that cycle between pieces of a law.
@@ -119,18 +171,18 @@ bool StageSolver::solve(const Input& input, Output& out) {
                          : full_steps < kIterationsBeforeBacktracking ? 0
                                                                       : kMaxBacktracks;
       if (trials > 0)
-        for (std::size_t i : island) before_[i] = v_[i];
+        for (std::size_t i : free_) before_[i] = v_[i];
       newton_step(input, anew, v_);
       full_steps += anew;
       double next = evaluate_forces(input, v_);
       double part = anew ? 1 : 0;
       for (int k = 0; k < trials && !(next < residual); ++k) {
         if (k == 0)
-          for (std::size_t i : island) full_[i] = v_[i];
-        take(island, part *= 0.5);
+          for (std::size_t i : free_) full_[i] = v_[i];
+        take(part *= 0.5);
         next = evaluate_forces(input, v_);
       }
-      if (island.size() > 1) left = factors.left = next / residual;
+      if (free_.size() > 1) left = factors.left = next / residual;
       residual = next;
       if (!std::isfinite(residual)) break;
     }
@@ -149,6 +201,14 @@ void StageSolver::finish(const Input& input, const std::vector<Velocity>& v, Out
   out.items.resize(items_.size());
   for (std::size_t i : input.island->items)
     items_[i].finish(inputs_[i], v[i], out.end.items[i], out.items[i]);
+  out.holding.resize(items_.size());
+  for (std::size_t i : riders_) {
+    // What the carrier gives a body that rides is work between the two.
+    out.holding[i] = items_[i].residual() / input.tau;
+    const double given = out.holding[i].dot(v[i].chassis);
+    out.items[i].power.work_of_neighbours += given;
+    out.items[carriers_[i]].power.work_of_neighbours -= given;
+  }
   finish_contacts(input, v, out);
   finish_joints(input, out);
 }

@@ -35,6 +35,7 @@ class StageSolver {
   struct Input {
     const SceneState* start = nullptr;
     const Island* island = nullptr;
+    const Riders* riders = nullptr;  ///< none: no body rides
     double tau = 0;
     FloorStage floor;
     Loads::Stage loads;           ///< `start` aside
@@ -51,6 +52,7 @@ class StageSolver {
   struct Output {
     SceneState end;
     std::vector<ItemStage::Output> items;
+    std::vector<Vector6> holding;  ///< wrenches on bodies that ride, about their centres [N], [N m]
     std::vector<ContactResult> contacts;
     double residual = 0;
     int iterations = 0;
@@ -83,6 +85,7 @@ class StageSolver {
     bool pushes() const { return force.z() != 0; }
   };
   struct JointWork {
+    std::size_t index = 0;  // in Assembly::joints
     const JointLaw* law = nullptr;
     JointLaw::Stage stage;
     std::array<double, JointLaw::kRows> rates{};  // of the rows
@@ -109,7 +112,16 @@ class StageSolver {
   };
 
   void set_input(const Input& input, std::size_t item);
-  void update_geometry(const Input& input, const std::vector<Velocity>& v, bool first);
+  void set_riders(const Input& input);
+  /// Gives bodies that ride the velocities of their carriers.
+  void follow(std::vector<Velocity>& v) const;
+  /// Where a point of an item is from the centre of what its velocity is that of.
+  Vector3 from_root(std::size_t item, const Vector3& point) const {
+    return point + arms_from_root_[item];
+  }
+  Vector6 of_root(std::size_t item, const Vector6& direction) const;
+  ItemStage::Matrix36 of_root(std::size_t item, const ItemStage::Matrix36& rates) const;
+  void update_geometry(const Input& input, std::vector<Velocity>& v, bool first);
   double evaluate_forces(const Input& input, const std::vector<Velocity>& v);
   /// Adds a step of Newton's method to v, with the matrix of this velocity or the last one.
   void newton_step(const Input& input, bool anew, std::vector<Velocity>& v);
@@ -117,7 +129,13 @@ class StageSolver {
   bool has_factors(const Input& input) const;
   void factor(const Input& input);
   void couple(const ContactWork& work, Factors& factors);
+  /// -tau sum of dT/du d_p d_b' of a joint, d for the velocities of the roots.
+  Matrix6 coupling(const JointWork& work, double tau) const;
   void couple(const JointWork& work, Factors& factors);
+  /// Whether a joint, a cord, is between bodies that move together.
+  bool within_one(const JointWork& work) const {
+    return roots_[work.part()] == roots_[work.base()];
+  }
   Layout layout_of(std::size_t item) const;
   /// Calls visit(caster, first unknown) for each caster that keeps its joints.
   static void for_kept(const Layout& layout, const auto& visit) {
@@ -125,7 +143,7 @@ class StageSolver {
       if (layout.joints[j] > 0) visit(static_cast<int>(j), layout.joints[j]);
   }
   /// Makes v this part of the step from before_ to full_.
-  void take(const std::vector<std::size_t>& island, double part);
+  void take(double part);
   double geometry_error(const Island& island, const std::vector<Velocity>& v) const;
   void finish(const Input& input, const std::vector<Velocity>& v, Output& out);
 
@@ -150,11 +168,15 @@ class StageSolver {
   Settings settings_;
   std::vector<ItemStage> items_;
   std::vector<ItemStage::Input> inputs_;  // of the island's items, in the stage that is solved
-  std::vector<ContactWork> contacts_;     // of the island
-  std::vector<JointWork> joints_;         // of the island
+  std::vector<std::size_t> free_,
+      riders_;  // items of the island: with a velocity of their own, without
+  std::vector<std::size_t> carriers_, roots_;   // of all items; of free ones themselves
+  std::vector<Vector3> arms_, arms_from_root_;  // floor axes, zero of free items
+  std::vector<ContactWork> contacts_;           // of the island
+  std::vector<JointWork> joints_;               // of the island
   std::vector<Velocity> v_, before_, full_;
   std::vector<Factors> factors_;       // of islands, by their first items
-  std::vector<std::size_t> block_of_;  // of items, in the system of their island
+  std::vector<std::size_t> block_of_;  // of free items, in the system of their island
 };
 
 }  // namespace gurney

@@ -33,12 +33,9 @@ void set_advanced(const Velocity& v, double time, const Velocity& acceleration, 
     result.joints[i] = v.joints[i] + time * acceleration.joints[i];
 }
 
-/// From the start of a step over the end of its first stage to the start of its second.
-constexpr double kExtrapolation = (1 - kSdirkGamma) / kSdirkGamma;
-
 template <typename T>
 T extrapolated(const T& y, const T& y_first) {
-  return y + kExtrapolation * (y_first - y);
+  return y + kSdirkExtrapolation * (y_first - y);
 }
 
 /// Start of the second stage: y + h (1 - gamma) k, with k = (y_first - y) / (gamma h).
@@ -64,7 +61,7 @@ void extrapolate_item(const State& from, const State& end, const Velocity& accel
     s.axle_slips = a.axle_slips;
   }
   start.broken_tethers = from.broken_tethers;
-  if (!from.loads.empty()) from.loads.extrapolate(end.loads, kExtrapolation, start.loads);
+  if (!from.loads.empty()) from.loads.extrapolate(end.loads, kSdirkExtrapolation, start.loads);
 }
 
 void add_power(const EnergyAccount& power, double time, EnergyAccount& account) {
@@ -92,6 +89,7 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       settings_(settings),
       solver_(assembly, {settings.residual, settings.max_newton_iterations}),
       contacts_of_(assembly.items.size()),
+      riders_(assembly, settings.merge_held_bodies),
       predictions_(assembly.items.size()),
       reversals_(assembly, settings.time_step),
       crossings_(assembly),
@@ -99,7 +97,8 @@ Stepper::Stepper(const Assembly& assembly, const FloorMotion& floor,
       accounts_(assembly.items.size()) {
   input_.guess.resize(assembly.items.size());
   between_.items.resize(assembly.items.size());
-  islands_.update(contacts_, assembly.joints, assembly.items.size());
+  input_.riders = &riders_;
+  islands_.update(contacts_, assembly, riders_);
 }
 
 void Stepper::change_loads(SceneState& state) {
@@ -124,6 +123,8 @@ void Stepper::extrapolate(const Island& island, const SceneState& from, double d
   between_.contacts.resize(from.contacts.size());
   for (std::size_t c = island.first_contact; c < island.end_contact; ++c) {
     between_.contacts[c] = from.contacts[c];
+    between_.contacts[c].compression =
+        extrapolated(from.contacts[c].compression, first_.end.contacts[c].compression);
     between_.contacts[c].deflection =
         extrapolated(from.contacts[c].deflection, first_.end.contacts[c].deflection);
     between_.contacts[c].lead = extrapolated(from.contacts[c].lead, first_.end.contacts[c].lead);
@@ -190,9 +191,14 @@ void Stepper::accept(const Island& island, SceneState& state, double duration,
     accounts_[i].damper_loss += lost;
     if (lost > 0) predictions_[i].known = false;  // its acceleration jumps
   }
+  for (std::size_t i : island.items)
+    if (riders_.rides(i)) {
+      riders_.place(i, second_.end.items[riders_.carrier(i)], second_.end.items[i]);
+      riders_.hold(i, second_.holding[i]);
+    }
   for (std::size_t j : island.joints) {
     const JointLaw& law = assembly_.joints[j];
-    if (law.releases())
+    if (law.releases() && !riders_.rests(j))
       accounts_[law.joint().part].damper_loss +=
           law.work_latch(assembly_.joint_rate(j, second_.end), second_.end.joints[j]);
   }
@@ -253,6 +259,7 @@ std::optional<std::string> Stepper::advance_smoothly(const Island& island, Scene
   const double from = state.items[island.items.front()].time;
   double duration = time - from;
   const bool converged = attempt(island, state, duration);
+  if (converged && free_riders(island, state)) return std::nullopt;
   if (control_.on() &&
       control_.rejects({island, duration, converged, state, predictions_, first_, second_})) {
     ++quality_.rejected_steps;

@@ -57,6 +57,10 @@ class Stepper {
   /// Loads change at the state's time: blocks let go, and the last acceleration predicts nothing.
   void change_loads(SceneState& state);
 
+  /// Lets bodies that are held firmly ride on what carries them, before the next search for contacts.
+  void board(SceneState& state) { riders_.board(state, accounts_); }
+  const Riders& riders() const { return riders_; }
+
   /// Accounts in the order of Scene::items.
   const std::vector<EnergyAccount>& accounts() const { return accounts_; }
   const Quality& quality() const { return quality_; }
@@ -74,7 +78,13 @@ class Stepper {
   /// step [m].
   double past_event(const Island& island, const SceneState& state) const;
   std::optional<double> locate_event(const Island& island, const SceneState& from, double duration);
+  /// Frees the bodies that are not held firmly enough for what the last attempt asks of them.
+  /// @returns whether there were any: the step is to be attempted again
+  bool free_riders(const Island& island, SceneState& state);
   double approach_speed(const BodyContact& contact, const SceneState& state) const;
+  /// Effective mass of the chassis alone for a normal impulse at the contact, and of what rides that of its carrier:
+  /// less than all of it [kg].
+  double effective_mass(const BodyContact& contact, const SceneState& state) const;
   double predicted_acceleration(const BodyContact& contact, const SceneState& state) const;
   /// How fast each contact of the island closes, and how fast those apart come near.
   void observe_approach(const Island& island, SceneState& state);
@@ -96,9 +106,11 @@ class Stepper {
   Islands islands_;
   ContactMemory memory_;
   std::vector<BodyContact> contacts_;  // sorted by island
-  std::vector<double> rates_;          // of the gaps of the island's contacts [m/s]
-  std::vector<double> contacts_of_;    // number of each item's
+  std::vector<BodyContactState> returned_;
+  std::vector<double> rates_;        // of the gaps of the island's contacts [m/s]
+  std::vector<double> contacts_of_;  // number of each item's
   FloorStage floor_second_;
+  Riders riders_;
   std::vector<SlipReversals::Course> predictions_;
   SlipReversals reversals_;
   TreadCrossings crossings_;

@@ -14,13 +14,13 @@ constexpr double kStepsInImpact = 32;
 }  // namespace
 
 void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState& state) {
-  if (contacts.empty() && state.contacts.empty()) return;
+  if (contacts.empty() && contacts_.empty()) return;
   const std::size_t count = state.items.size();
   // Contacts that are found anew store another energy than those they replace: the difference is booked as a loss.
   for (std::size_t i = 0; i < count; ++i)
     accounts_[i].contact_loss += assembly_.contact_energy(i, state);
   contacts_ = contacts;
-  islands_.update(contacts_, assembly_.joints, count);
+  islands_.update(contacts_, assembly_, riders_);
   memory_.match(contacts_, state.contacts);
   for (BodyContactState& memory : state.contacts) {
     memory.deflection -= memory.contact.normal * memory.contact.normal.dot(memory.deflection);
@@ -37,6 +37,26 @@ void Stepper::set_contacts(const std::vector<BodyContact>& contacts, SceneState&
   }
   for (std::size_t i = 0; i < count; ++i)
     accounts_[i].contact_loss -= assembly_.contact_energy(i, state);
+}
+
+bool Stepper::free_riders(const Island& island, SceneState& state) {
+  bool any = false;
+  for (std::size_t i : island.items) {
+    if (!riders_.rides(i)) continue;
+    if (riders_.bears(i, first_.end, first_.holding[i]) &&
+        riders_.bears(i, second_.end, second_.holding[i]))
+      continue;
+    any = true;
+    riders_.leave(i, state, accounts_, returned_);
+    const auto at = static_cast<std::ptrdiff_t>(island.end_contact);
+    state.contacts.insert(state.contacts.begin() + at, returned_.begin(), returned_.end());
+    islands_.widen(island, returned_.size());
+    for (BodyContactState& memory : returned_) memory.contact.offset += memory.slack;
+    for (std::size_t c = 0; c < returned_.size(); ++c)
+      contacts_.insert(contacts_.begin() + at + static_cast<std::ptrdiff_t>(c),
+                       returned_[c].contact);
+  }
+  return any;
 }
 
 double Stepper::approach_speed(const BodyContact& contact, const SceneState& state) const {
@@ -113,12 +133,27 @@ double Stepper::longest_step(const Island& island, const SceneState& state, doub
     // Points side by side share the blow, and their springs add up.
     const double stiffness = assembly_.laws.of(contact).impact_stiffness() * count;
     const double duration =
-        std::numbers::pi * std::sqrt(assembly_.effective_mass(contact, state) / stiffness);
+        std::numbers::pi * std::sqrt(effective_mass(contact, state) / stiffness);
     // Half a period pi sqrt(m / k) of the blow takes kStepsInImpact steps; the one before ends short of the touch.
     const double until_touch = gap > 0 ? gap / -rate : 0;
     longest = std::min(longest, std::max(duration / kStepsInImpact, 0.8 * until_touch));
   }
   return longest;
+}
+
+double Stepper::effective_mass(const BodyContact& contact, const SceneState& state) const {
+  const auto mobility = [&](const BodyContact::Side& side) {
+    const std::size_t root = riders_.root(side.item);
+    const State &own = state.items[side.item], &carrier = state.items[root];
+    if (root == side.item) return assembly_.items[root].mobility(side, contact.normal, own);
+    const Vector3 arm =
+        own.position + assembly_.items[side.item].point(side, own) - carrier.position;
+    Vector6 direction;
+    direction << contact.normal, arm.cross(contact.normal);
+    return assembly_.items[root].mobility(direction, carrier);
+  };
+  return 1 /
+         (mobility(contact.side) + (contact.between_items() ? mobility(contact.other_side) : 0));
 }
 
 double Stepper::predicted_acceleration(const BodyContact& contact, const SceneState& state) const {

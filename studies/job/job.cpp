@@ -213,13 +213,14 @@ void read_settings(Table& root, JobReading& job) {
     settings.overturn_tilt =
         in.number("overturn_tilt_deg", Range::within(0, 90).open_below().open_above()) *
         kRadiansPerDegree;
+  settings.merge_held_bodies = in.boolean("merge_held_bodies", settings.merge_held_bodies);
   settings.skip_clear_collision_passes =
       in.boolean("skip_clear_collision_passes", settings.skip_clear_collision_passes);
   if (settings.solver != Solver::kImplicit)
     note_without_effect(
         in,
         {"tolerance", "peak_error", "residual", "max_newton_iterations", "max_subdivisions",
-         "skip_clear_collision_passes"},
+         "merge_held_bodies", "skip_clear_collision_passes"},
         "with the solver \"" + kSolvers[static_cast<std::size_t>(settings.solver)] + "\"", job);
   std::vector<std::string> warnings;
   for (const char* key : {"settle_time_s", "rest_speed_m_per_s", "rest_hold_s"})

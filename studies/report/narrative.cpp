@@ -274,17 +274,25 @@ void add_predictability(const Response& response, const Texts& names, Section& a
       all.say(explanation::sentence(*only) + ".");
     return;
   }
-  Texts lines, predictable;
-  for (std::size_t i = 0; i < response.items.size(); ++i)
-    if (const auto& found = response.items[i].predictability) {
-      if (found->verdict == Predictability::Verdict::kPredictable)
-        predictable.push_back(names[i]);
-      else
-        lines.push_back(names[i] + ": " + explanation::sentence(*found));
+  Texts lines;
+  using Verdict = Predictability::Verdict;
+  for (const Verdict verdict : {Verdict::kChaotic, Verdict::kSensitive, Verdict::kPredictable}) {
+    Texts alike;
+    std::size_t first = 0;  // the one whose motion may be another from the earliest time on
+    for (std::size_t i = 0; i < response.items.size(); ++i) {
+      const auto& found = response.items[i].predictability;
+      if (!found || found->verdict != verdict) continue;
+      if (alike.empty() || found->horizon < response.items[first].predictability->horizon)
+        first = i;
+      alike.push_back(names[i]);
     }
-  if (!predictable.empty())
-    lines.push_back("predictable until their peaks of displacement and tilt: " +
-                    listed(predictable));
+    if (alike.empty()) continue;
+    if (verdict == Verdict::kPredictable)
+      lines.push_back("predictable until their peaks of displacement and tilt: " + listed(alike));
+    else
+      lines.push_back((alike.size() > 1 ? listed(alike) + "; first " : "") + names[first] + ": " +
+                      explanation::sentence(*response.items[first].predictability));
+  }
   if (!lines.empty()) all.add(sentences("Predictability", lines));
 }
 

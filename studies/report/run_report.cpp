@@ -237,6 +237,34 @@ Section item_section(const std::string& name, const EquipmentModel& model, const
   return std::move(all.add(settled_section(settled, model)));
 }
 
+/// A row for each item that stands on another or is a part, with what only these have.
+void add_parts_table(const Texts& names, const std::vector<ItemResponse>& items,
+                     const UnitSystem& units, Section& all) {
+  const auto format = [&](const UnitSystem& system, const char* si, const char* digits) {
+    return report::format_of(system.of(si), 1, digits);
+  };
+  const UnitSystem lengths = units.or_else("g-mm");
+  constexpr double kYield = 1e-9;  // less is what a lock gives under the weight at the start [m]
+  const auto known = [](double number) {
+    return std::isnan(number) ? Value() : Value(number < kYield ? 0.0 : number);
+  };
+  const auto time = [](double number) { return number >= 0 ? Value(number) : Value(); };
+  Table table{"", "", {}};
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Demands& d = items[i].demands;
+    if (std::isnan(d.peak_slide) && std::isnan(d.peak_travel) && std::isnan(d.peak_swing)) continue;
+    add_row(table, {{{"", "item"}, names.at(i)},
+                    {{"", "slid", format(lengths, "m", ".4g")}, known(d.peak_slide)},
+                    {{"", "toppled", format(units, "s", ".2f")}, time(d.time_of_toppling)},
+                    {{"", "fell", format(units, "s", ".2f")}, time(d.time_of_fall)},
+                    {{"", "latch open", format(units, "s", ".2f")}, time(d.time_of_release)},
+                    {{"", "opened", format(lengths, "m", ".4g")}, known(d.peak_travel)},
+                    {{"", "swung", format(units, "rad", ".1f")}, known(d.peak_swing)},
+                    {{"", "stop", format(units, "m/s", ".2f")}, known(d.largest_stop_speed)}});
+  }
+  if (!table.rows.empty()) all.add(std::move(table));
+}
+
 /// A row for each of several items.
 void add_items_table(const Texts& names, const std::vector<ItemResponse>& items,
                      const UnitSystem& units, Section& all) {
@@ -260,6 +288,7 @@ void add_items_table(const Texts& names, const std::vector<ItemResponse>& items,
                      d.time_of_overturning >= 0 ? Value(d.time_of_overturning) : Value()}});
   }
   all.add(std::move(table));
+  add_parts_table(names, items, units, all);
   all.say("Wheels, points and impacts one by one: --json, or the results file.");
 }
 

@@ -85,7 +85,7 @@ void limit(const Blow& blow, Runner& runner) {
 
 void compare(const Blow& blow, const Scene& scene, Runner& runner) {
   const ImpactSteps steps = blow.steps();
-  const Response response = slide(runner, scene, 1.1 * kWayToImpact, steps);
+  const Response response = slide(runner, scene, 1.1 * kWayToImpact);
   const Motion exact = blow.integrated(kStiffness);
   limit(blow, runner);
   // The engine keeps point and normal for a step of 4 ms: those of the touch, and again others from

@@ -40,15 +40,14 @@ ImpactSteps steps_of(const SlidingBlock& block, const std::vector<double>& acros
 
 /// Until it has parted, `contact` after the touch.
 Response meet(const SlidingBlock& block, const Vector3& position, double roll, double speed,
-              const ContactConstants& constants, double contact, const ImpactSteps& steps,
-              Runner& runner) {
+              const ContactConstants& constants, double contact, Runner& runner) {
   Scene scene = block.scene({speed, 0, 0});
   for (int dof : {1, 2, 3, 4}) scene.items[0].fixture.guides[dof].kind = Guide::Kind::kHeld;
   blocks::add_wall(scene, 0, constants);
   RoomShape& wall = scene.room.back();
   wall.position = position + Vector3(0.5 * kSize.x() + 0.1 + kWayToImpact, 0, 0);
   wall.rotation = Quaternion(Eigen::AngleAxisd(roll, Vector3::UnitX()));
-  return slide(runner, scene, 1.1 * kWayToImpact + 1.1 * contact * speed, steps);
+  return slide(runner, scene, 1.1 * kWayToImpact + 1.1 * contact * speed);
 }
 
 ContactConstants spring(double stiffness) {
@@ -106,7 +105,7 @@ struct Strip {
 void meet_strip(const Strip& c, Runner& runner) {
   const FaceContact exact = c.exact();
   const Response response = meet(c.block(), {0, c.start + 1.5, 1.5}, 0, c.speed,
-                                 spring(c.stiffness), exact.contact, c.steps(), runner);
+                                 spring(c.stiffness), exact.contact, runner);
   compare("springs", {exact, c.exact(true)}, c.speed, c.steps(), response, runner);
 }
 
@@ -142,10 +141,9 @@ void meet_corner(const Corner& c, Runner& runner) {
       Vector3(0, c.cut - 0.5 * kSize.y(), 0) + 1.5 * Vector3(0, 1, 1).normalized();
   const auto met = [&](const std::string& law, const Springs& springs,
                        const ContactConstants& constants) {
-    compare(
-        law, springs, c.speed, c.steps(),
-        meet(c.block(), center, roll, c.speed, constants, springs.exact.contact, c.steps(), runner),
-        runner);
+    compare(law, springs, c.speed, c.steps(),
+            meet(c.block(), center, roll, c.speed, constants, springs.exact.contact, runner),
+            runner);
   };
   met("springs", c.springs(), spring(c.stiffness));
   met("restitution", c.restituted(),

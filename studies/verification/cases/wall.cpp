@@ -31,7 +31,7 @@ void meet(const Rebound& c, Runner& runner) {
                    {.restitution = c.restitution, .friction = 0});
   scene.room.back().rotation = Quaternion(Eigen::AngleAxisd(yaw, Vector3::UnitZ()));
   scene.room.back().position = turned(yaw, scene.room.back().position);
-  const Response response = slide(runner, scene, 2 * kWayToImpact, block.front_steps());
+  const Response response = slide(runner, scene, 2 * kWayToImpact);
   const double share = c.restitution * block.front_steps().speed_error();
   const Vector3 after = turned(-yaw, response.items[0].history.back().velocity);
   const char* const phase =
@@ -99,7 +99,7 @@ void meet(const Spring& c, Runner& runner) {
   const CappedDamping exact(omega, c.damping);
   const ImpactSteps steps = block.front_steps();
   const double touch = kWayToImpact + v * exact.duration;  // path and time in contact
-  const Response response = slide(runner, scene, touch + 0.5 * kWayToImpact, steps);
+  const Response response = slide(runner, scene, touch + 0.5 * kWayToImpact);
   const PointDemands& point = response.items[0].demands.points[0];
   // With a damper the force has two kinks more, where its cap begins and ends.
   const double error = (c.damping > 0 ? 2 : 1) * steps.speed_error();
@@ -161,8 +161,7 @@ void meet(const Glance& c, Runner& runner) {
   const ImpactSteps steps = block.front_steps();
   const double error = steps.speed_error();
   const double total = std::hypot(c.speed, c.along);
-  const double work = (c.along * c.along - std::pow(c.along - c.taken(), 2)) / (total * total);
-  const Response response = slide(runner, scene, 2 * kWayToImpact * total / c.speed, steps, work);
+  const Response response = slide(runner, scene, 2 * kWayToImpact * total / c.speed);
   const Vector3& after = response.items[0].history.back().velocity;
   runner.check("speed of the rebound", "m/s", -after.x(),
                near_to(c.restitution * c.speed, c.restitution * error * c.speed,

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "engine/contact/one_sided_spring.h"
 
 namespace gurney {
 namespace {
@@ -25,6 +29,39 @@ double rebound(const ImpactLaw& law, double mass, double stiffness, double speed
     d += h * vm;
   } while (d > 0);
   return -v / speed;
+}
+
+// A spring that pushes below x = 0 only, in two stages of SDIRK2: what both give it, (1 - gamma) h and gamma h times
+// force and rate, less the energy it has gained, is what the rates make of it, wherever it touches or parts.
+TEST(OneSidedSpring, LosesWhatItsRatesSayWhereverItTouches) {
+  constexpr double kGamma = 0.29289321881345247560, h = 0.004, tau = kGamma * h;
+  const double k = 1e6, ahead = (1 - kGamma) / kGamma;
+  const auto energy = [&](double x) { return x > 0 ? 0.5 * k * x * x : 0; };
+  for (const auto& [start, first, end] : {std::array{1e-5, 2e-5, 4e-5},
+                                          {-1e-5, 1e-6, 4e-5},
+                                          {-1e-5, -2e-6, 4e-5},
+                                          {3e-5, 1e-6, -2e-5},
+                                          {3e-5, -1e-6, -2e-5},
+                                          {-3e-5, -1e-5, -1e-6},
+                                          {2e-5, 1e-5, 3e-5}}) {
+    const double second_start = start + ahead * (first - start);
+    // A stage goes from where its bodies have turned to.
+    const double turned = 3e-6, second_turned = -2e-6;
+    const double given =
+        (1 - kGamma) * h * k * std::max(first, 0.0) * (first - start - turned) / tau +
+        kGamma * h * k * std::max(end, 0.0) * (end - second_start - second_turned) / tau;
+    const double rates =
+        one_sided_rates(k, {second_start, second_start + second_turned, end, 0}, tau) -
+        one_sided_rates(k, {start, start + turned, first, ahead}, tau);
+    // Energies of at most 1e-3 J: rounding.
+    EXPECT_NEAR(given - (energy(end) - energy(start)), 0.5 * tau * tau * rates, 1e-15)
+        << start << " " << first << " " << end;
+    // Pressed throughout, it loses as any spring does: tau^2 / 2 (k x2'^2 - k x1'^2).
+    if (start > 0 && first > 0 && end > 0 && second_start > 0) {
+      EXPECT_NEAR(one_sided_rates(k, {start, start, first, ahead}, tau),
+                  k * std::pow((first - start) / tau, 2), 1e-9 * k * 1e-4);
+    }
+  }
 }
 
 TEST(ImpactLaw, ReboundsWithItsRestitutionWhateverMassStiffnessAndSpeed) {

@@ -200,7 +200,7 @@ TEST(Outcome, ARunOfSeveralItemsDoesNotEndWhereOneOverturned) {
   const Response response = simulate(run.scene, run.floor, run.settings);
   EXPECT_EQ(response.outcome, Outcome::kDiverged);
   EXPECT_THAT(response.cause,
-              testing::EndsWith("within the limit until an item overturned at 2.88 s, where "
+              testing::EndsWith("within the limit until item overturned at 2.88 s, where "
                                 "settings.follow_overturning = false ends the run"));
   EXPECT_GT(response.end_time, 2.88);
 }

@@ -349,7 +349,8 @@ TEST(Parts, ContentsSlideOnATableAsOnTheFloor) {
   EXPECT_NEAR(table.residual_displacement, floor.residual_displacement, 1e-5);
 }
 
-// Likewise of Housner's rocking on its top: a slender content meets the table with the same corners.
+// Likewise of Housner's rocking on its top: a slender content meets the table with the same corners. It leaves the table,
+// on which it has ridden, at the start of a step: 0.5 ms.
 TEST(Parts, ContentsRockOnATableAsOnTheFloor) {
   ContactConstants constants;
   constants.friction = 0.8;
@@ -359,7 +360,7 @@ TEST(Parts, ContentsRockOnATableAsOnTheFloor) {
   on_table.items[1].name = "box";
   on_table.items[1].on = Support{Support::Kind::kItem, 0, 1};
   const auto box_of = [](const Scene& scene) {
-    const Response r = simulate(scene, sine_floor(3, 1.5, 1.5), blocks::run_for(1.5, 0.002, 0.1));
+    const Response r = simulate(scene, sine_floor(3, 1.5, 1.5), blocks::run_for(1.5, 0.0005, 0.1));
     return r.items.back().demands;
   };
   const Demands floor = box_of(on_floor), table = box_of(on_table);

@@ -95,6 +95,9 @@ TEST(SupportedItems, ToppleWhereOnTheFloorTheyOverturn) {
   EXPECT_EQ(on.items[0].demands.time_of_overturning, -1);
   EXPECT_EQ(on.items[1].demands.time_of_overturning, -1);
   EXPECT_GT(on.items[1].demands.time_of_toppling, 0.2);
+  // It strikes the block, which is one of its impacts and none of the block's.
+  EXPECT_GT(on.items[1].demands.impacts, 0);
+  EXPECT_EQ(on.items[0].demands.impacts, 0);
   EXPECT_NEAR(std::abs(on.items[1].demands.direction_of_overturning), std::numbers::pi, 0.01);
   scene.items.erase(scene.items.begin());
   scene.items[0].on.reset();

@@ -75,6 +75,37 @@ TEST(Summary, SaysNothingOfWheelsWhereThereAreNone) {
     EXPECT_EQ(text.find(word), std::string::npos) << word;
 }
 
+// A second table has a row for each part and each item that stands on another, with what only these have; a lock that
+// yields by a picometre has not opened.
+TEST(Summary, HasATableOfPartsAndContents) {
+  study::RunFacts facts = synthetic_facts();
+  Response response = synthetic_response();
+  for (const char* name : {"jug", "drawer", "lid"}) {
+    facts.scene.items.push_back(facts.scene.items[0]);
+    facts.scene.items.back().name = name;
+    response.items.emplace_back().demands.wheels.resize(4);
+    response.items.back().demands.points.resize(response.items[0].demands.points.size());
+  }
+  facts.scene.items[0].name = "cart";
+  Demands &jug = response.items[1].demands, &drawer = response.items[2].demands,
+          &lid = response.items[3].demands;
+  jug.peak_slide = 0.0125;
+  jug.time_of_toppling = 3.21;
+  jug.time_of_fall = 3.5;
+  drawer.peak_travel = 1e-12;
+  drawer.largest_stop_speed = 0.125;
+  lid.peak_swing = 0.5;  // 28.6 deg
+  lid.time_of_release = 2;
+  const std::string text = summary(facts, response);
+  expect_contains(
+      text,
+      "item slid [mm] toppled [s] fell [s] latch open [s] opened [mm] swung [deg] stop [m/s]");
+  expect_contains(text, "\njug 12.5 3.21 3.50 - - - -");
+  expect_contains(text, "\ndrawer - - - - 0 - 0.12");
+  expect_contains(text, "\nlid - - - 2.00 - 28.6 -");
+  EXPECT_EQ(summary(synthetic_facts(), synthetic_response()).find("slid"), std::string::npos);
+}
+
 TEST(Summary, FlagsNumericalAccelerations) {
   expect_contains(
       summary(synthetic_facts(), synthetic_response()),
