@@ -24,8 +24,9 @@ struct OneSidedStage {
   double ahead;  ///< of the first: the second starts at start + ahead (end - start); 0: the second
 };
 
-/// The same for contacts of bodies, so that what the spring does not take of what both stages give it is
+/// Rates of a contact of bodies. Both stages together lose
 ///   tau^2 / 2 (rates of the second - rates of the first),
+/// the energy that they give the spring less what it takes,
 /// also where it touches or lets go between the two: the first gives ahead times as much as alone. k x'^2 where the
 /// spring pushes throughout and nothing turns.
 inline double one_sided_rates(double stiffness, const OneSidedStage& x, double tau) {

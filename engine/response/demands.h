@@ -55,7 +55,7 @@ struct Demands {
   /// Where the item's z axis leans to as it overturns or topples, from the floor's x axis, -pi to pi;
   /// NaN: it did not [rad].
   double direction_of_overturning = std::numeric_limits<double>::quiet_NaN();
-  /// Of this item but for those with what stands on it, which are that one's: see Response::impacts.
+  /// Number of impacts of this item; those with an item that stands on it count there (Response::impacts).
   int impacts = 0;
   double largest_approach_speed = 0;  ///< of an impact [m/s]
   double largest_impulse = 0;         ///< [N s]

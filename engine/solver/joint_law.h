@@ -111,7 +111,7 @@ class JointLaw {
   /// Travel of the part's centre of mass by q: 1, or its distance from a hinge [m/rad].
   double arm() const { return slides() ? 1 : on_part_.cross(joint_.axis).norm(); }
   bool locked() const { return std::isinf(joint_.latch); }
-  /// What the joint bears along q where this wrench about its centre holds the part [N], [N m].
+  /// Load of the joint along q where this wrench about its centre holds the part [N], [N m].
   double along(const Pose& base, const Pose& part, const Vector6& wrench) const;
   /// How a part moves at its centre, and turns, where q grows by this little.
   Vector6 shift(const Pose& base, const Pose& part, double by) const;

@@ -25,16 +25,16 @@ class Riders {
   static constexpr double kFirm = 0.9;
   /// A body that has stuck for this time [s] and is slower than this [m/s] rides.
   static constexpr double kHoldTime = 0.05, kStill = 5e-4;
-  /// What stands on softer contacts, that yield by more under its weight, moves on them [m].
+  /// Largest yield of contacts under the weight of a body that rides; on softer ones it moves [m].
   static constexpr double kLargestYield = 2e-5;
 
   /// @param ride  false: none does
   Riders(const Assembly& assembly, bool ride);
 
   bool rides(std::size_t item) const { return seats_[item].taken; }
-  /// What a riding body moves with, which comes before it in the scene and may ride itself.
+  /// The item with which a riding body moves; it comes before it in the scene and may ride itself.
   std::size_t carrier(std::size_t item) const { return seats_[item].carrier; }
-  /// What carries the body over any number of others and does not ride, or itself.
+  /// The item that carries the body over any number of others and does not ride; or itself.
   std::size_t root(std::size_t item) const;
   bool together(std::size_t a, std::size_t b) const { return root(a) == root(b); }
   /// Whether this joint holds a riding body.
@@ -68,7 +68,7 @@ class Riders {
              std::vector<BodyContactState>& contacts);
 
  private:
-  /// What a body stands on: the base between the points that touch, in its own axes.
+  /// Base of a body between the points that touch, in its own axes.
   struct Footing {
     struct Edge {
       Vector3 point, inwards;  // unit, across the edge
@@ -88,7 +88,7 @@ class Riders {
     Footing footing;
     std::vector<BodyContactState> contacts;  // with the carrier, vectors in its axes
   };
-  /// What a body touches now.
+  /// Contacts of a body now.
   struct Touch {
     std::size_t carrier = 0, points = 0;
     double stiffness = 0;  // of the points together [N/m]
@@ -101,7 +101,7 @@ class Riders {
   void move(std::size_t item, const Vector6& shift, SceneState& state,
             std::vector<EnergyAccount>& accounts) const;
   bool stands_still(std::size_t item, const SceneState& state) const;
-  /// What holds a body that may ride at once, and after a time.
+  /// Whether a body may ride at once; after a time.
   bool is_locked(std::size_t item) const;
   bool is_held(std::size_t item, const SceneState& state) const;
   std::size_t carrier_of(std::size_t item) const;

@@ -203,7 +203,7 @@ void StageSolver::finish(const Input& input, const std::vector<Velocity>& v, Out
     items_[i].finish(inputs_[i], v[i], out.end.items[i], out.items[i]);
   out.holding.resize(items_.size());
   for (std::size_t i : riders_) {
-    // What the carrier gives a body that rides is work between the two.
+    // The carrier's work on a body that rides is work of neighbours.
     out.holding[i] = items_[i].residual() / input.tau;
     const double given = out.holding[i].dot(v[i].chassis);
     out.items[i].power.work_of_neighbours += given;

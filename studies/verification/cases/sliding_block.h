@@ -48,7 +48,8 @@ struct SlidingBlock {
 
 inline constexpr double kWayToImpact = 0.1;  ///< of the block before it touches [m]
 
-/// Of the energy balance over the energy at the start: what a contact loses or gains inside a step is numerical loss.
+/// Bound of the energy balance error over the energy at the start: losses and gains of a contact inside a step are
+/// numerical loss.
 Expected closes_over(double time, double speed);
 
 /// Runs for the time that the block takes for `travel`. Adds the check of the energy balance and of

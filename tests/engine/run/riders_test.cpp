@@ -94,7 +94,7 @@ TEST(Riders, ALockedPartIsOfOneBodyWithItsChassis) {
   // It has no unknowns of its own: as many iterations, but for a few where a stage is at the edge of its tolerance.
   EXPECT_NEAR(merged.quality.newton_iterations, rigid.quality.newton_iterations,
               0.02 * rigid.quality.newton_iterations);
-  // That of the trolley under these motions; the drawer adds none of its kind.
+  // The closure is that of the trolley under these motions; the drawer adds none of its kind.
   EXPECT_LT(merged.quality.energy_closure, 2 * rigid.quality.energy_closure);
 }
 
