@@ -102,6 +102,7 @@ void add_failures(const StudyReader& file, StudyOverview& overview) {
 void add_counts(const StudyData& data, StudyOverview& overview) {
   const RunLevels levels = run_levels(data);
   overview.levels = levels.texts;
+  overview.suite_by_level = data.has_suites_by_level();
   const std::size_t states = data.limit_states().size();
   for (const std::string& configuration : data.configurations())
     for (const std::string& level : levels.texts)

@@ -64,6 +64,7 @@ struct StudyOverview {
   std::vector<double> angles;  ///< [rad]
   std::string measure;         ///< that the levels are of; empty: factors on the records
   std::vector<std::string> levels;
+  bool suite_by_level = false;  ///< each record has runs at one of several levels only
   UnitSystem units;
   int draws = 0, replicas = 1;
   std::vector<LimitState> states;

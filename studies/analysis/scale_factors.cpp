@@ -8,16 +8,6 @@
 namespace gurney::study {
 namespace {
 
-/// For each run the row of its set of records.
-std::vector<double> sets_of_runs(const StudyData& data) {
-  if (!data.file().has("motions")) return {};
-  const std::vector<double> of_motion = data.file().numbers("motions/set");
-  std::vector<double> sets;
-  for (const double motion : data.file().numbers("runs/motion"))
-    sets.push_back(of_motion.at(static_cast<std::size_t>(motion)));
-  return sets;
-}
-
 /// Nothing shakes where every name is empty.
 bool has_records(const StudyData& data) {
   if (!data.file().has("records")) return true;
@@ -73,10 +63,10 @@ ScaleFactors scale_factors(const StudyData& data, std::size_t configuration) {
 ScaleFactors scale_factors(const StudyData& data) {
   ScaleFactors factors;
   if (!has_records(data)) return factors;
-  const std::vector<double> scales = data.file().numbers("runs/scale"), sets = sets_of_runs(data);
-  std::map<std::pair<double, std::size_t>, std::size_t> numbers;
+  const std::vector<double> scales = data.file().numbers("runs/scale");
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
   for (std::size_t run = 0; run < scales.size(); ++run) {
-    const std::pair key{sets.empty() ? 0 : sets[run], data.record_of(run)};
+    const std::pair key{data.set_of(run), data.record_of(run)};
     factors.add(numbers.try_emplace(key, numbers.size()).first->second, scales[run]);
   }
   return factors;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <sstream>
 
 #include "engine/base/error.h"
 #include "engine/config/document.h"
@@ -44,6 +45,14 @@ Study study_of(const StudyReader& file) {
   auto table = root.table("study");
   require(table.has_value(), file.path() + ": its job has no table [study]");
   return read_study(*table, *document.tree().find("study"));
+}
+
+/// The checksums in lines of checksums and names of files.
+std::string sums_of(const std::string& files) {
+  std::istringstream lines(files);
+  std::string sums;
+  for (std::string sum, name; lines >> sum && std::getline(lines, name);) sums += sum + '\n';
+  return sums;
 }
 
 /// For each record of a file: is it wanted? Empty where none is named.
@@ -134,6 +143,42 @@ StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
     else
       runs_.at(of).push_back(run);
   }
+  set_.resize(record_.size());
+  if (file_->has("motions")) {
+    const auto motion = file_->numbers("runs/motion"), set = file_->numbers("motions/set");
+    for (std::size_t run = 0; run < set_.size(); ++run)
+      set_[run] = static_cast<std::size_t>(set.at(static_cast<std::size_t>(motion[run])));
+  }
+  suites_by_level_ = each_record_has_one_of_several_levels();
+  group_ = record_;
+  if (suites_by_level_ && file_->has("motions")) join_same_files();
+}
+
+bool StudyData::each_record_has_one_of_several_levels() const {
+  if (study_.intensity.kind != IntensityPlan::Kind::kStripes) return false;
+  const std::vector<double> intensities = file_->numbers("runs/intensity");
+  std::map<std::pair<std::size_t, std::size_t>, double> known;
+  for (std::size_t run = 0; run < record_.size(); ++run) {
+    const auto of_record = known.emplace(std::pair(set_[run], record_[run]), intensities[run]);
+    if (of_record.first->second != intensities[run]) return false;
+  }
+  return std::ranges::any_of(intensities, [&](double each) { return each != intensities[0]; });
+}
+
+void StudyData::join_same_files() {
+  const auto sets = file_->strings("records/set");
+  std::vector<std::string> files = file_->strings("records/files");
+  for (std::string& each : files) each = sums_of(each);
+  std::map<std::string, std::vector<std::size_t>> first_of;  // by set, for each of its records
+  for (std::size_t row = 0; row < sets.size(); ++row) {
+    std::vector<std::size_t>& first = first_of[sets[row]];
+    const std::size_t begin = row - first.size();  // rows of a set follow each other
+    std::size_t same = files[row].empty() ? row : begin;
+    while (files[same] != files[row]) ++same;
+    first.push_back(same - begin);
+  }
+  for (std::size_t run = 0; run < group_.size(); ++run)
+    group_[run] = first_of.at(std::to_string(set_[run])).at(record_[run]);
 }
 
 std::vector<std::string> StudyData::measures() const {
@@ -239,7 +284,7 @@ std::vector<statistics::Observation> StudyData::observations(
   for (const std::size_t run : runs_.at(configuration)) {
     const auto outcome = exceeded.find(run);
     if (outcome != exceeded.end() && measure.values[run] > 0)
-      result.push_back({measure.values[run], outcome->second, record_[run],
+      result.push_back({measure.values[run], outcome->second, group_[run],
                         static_cast<std::size_t>(cases[run])});
   }
   return result;
@@ -274,7 +319,7 @@ std::vector<statistics::CloudPoint> StudyData::cloud(std::size_t state, std::siz
     bool fell = false;
     for (const double time : values_(run, overturned)) fell = fell || time >= 0;
     statistics::CloudPoint point{measure.values[run], std::max(demand, floor),
-                                 statistics::CloudPoint::Known::kExactly, record_[run]};
+                                 statistics::CloudPoint::Known::kExactly, group_[run]};
     if (fell) {
       point.known = statistics::CloudPoint::Known::kAtLeast;
       point.edp = std::max(demand, limit.limit);

@@ -95,6 +95,12 @@ class StudyData {
 
   std::size_t record_of(std::size_t run) const { return record_[run]; }
 
+  /// Set of records that the run's configuration has; its record is counted within.
+  std::size_t set_of(std::size_t run) const { return set_[run]; }
+
+  /// Whether each of several levels has a suite of its own: a record has runs at one level only.
+  bool has_suites_by_level() const { return suites_by_level_; }
+
   /// Names of what measure() takes: the study's own measure first.
   std::vector<std::string> measures() const;
 
@@ -105,7 +111,8 @@ class StudyData {
   /// For each of the runs: does it exceed the state?
   std::vector<bool> exceedances(std::size_t state, const std::vector<std::size_t>& runs) const;
 
-  /// One observation for each run of a configuration. The group is the record.
+  /// One observation for each run of a configuration. The group is the record; those of several
+  /// levels that are of the same files are one.
   std::vector<statistics::Observation> observations(std::size_t state, std::size_t configuration,
                                                     const RunMeasure& measure) const;
 
@@ -127,6 +134,9 @@ class StudyData {
                                             const RunMeasure& measure, double floor) const;
 
  private:
+  bool each_record_has_one_of_several_levels() const;
+  void join_same_files();
+
   std::unique_ptr<StudyReader> file_;
   mutable FileValues values_;
   Study study_;
@@ -134,7 +144,9 @@ class StudyData {
   Assessment assessment_;
   std::vector<std::string> configurations_;
   std::vector<std::vector<std::size_t>> runs_;
-  std::vector<std::size_t> failed_, record_;
+  std::vector<std::size_t> failed_, record_, set_;
+  bool suites_by_level_ = false;
+  std::vector<std::size_t> group_;  ///< of each run: its record, or the first of the same files
 };
 
 /// Unit of an intensity: the chosen one, else that in which the study states its levels where it is

@@ -56,6 +56,10 @@ std::optional<std::size_t> level_of(const ConfigurationView& side, const Levels&
                                     const SensitivityRequest& request, SensitivityOutput& output) {
   const StudyData& data = *side.data;
   if (request.level) return request.level;
+  require(!request.all_levels || !data.has_suites_by_level(),
+          data.file().path() +
+              ": each level has records of its own, so that the influence of the record at all "
+              "levels would be that of the level; take one by --level");
   std::set<std::size_t> own;  // stages that are planned for each configuration have other levels
   for (const std::size_t run : side.runs()) own.insert(levels.of_run(run));
   if (request.all_levels || own.size() < 2 || own.size() > kMaxLevels ||

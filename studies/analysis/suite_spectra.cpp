@@ -78,6 +78,7 @@ std::vector<SuiteSpectra> suite_spectra(const StudyData& data, const SuiteSpectr
     spectra.level = name;
     spectra.periods = groundmotions::logarithmic_periods(0.02, 10, request.periods);
     for (std::size_t record = 0; record < set.size(); ++record) {
+      if (data.has_suites_by_level() && set.levels(record).front() != value) continue;
       const FloorRecords::Shared kept = set.ground_record(record);
       const Record& ground = *kept;
       if (ground.samples() == 0) continue;

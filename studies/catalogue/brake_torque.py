@@ -37,7 +37,7 @@ def job(gurney, folder, torque):
     write(os.path.join(folder, f"caster_{torque}.toml"), caster[:first] + held + caster[after:])
     write(os.path.join(folder, f"item_{torque}.toml"),
           text_of("items", ITEM).replace(f'"{CASTER}"', f'"caster_{torque}.toml"'))
-    text = catalogue.job_text(gurney, {"item": ITEM, "brakes": "on"}, folder, os.path.join(folder, "motions"),
+    text = catalogue.job_text(gurney, {"item": ITEM, "brakes": "on"}, folder, [os.path.join(folder, "motions")],
                               variance=True)
     path = os.path.join(folder, f"job_{torque}.toml")
     write(path, text.replace(f'equipment = "{ITEM}"', f'equipment = "item_{torque}.toml"')

@@ -1,12 +1,13 @@
 """Makes the fragility catalogue of wheeled hospital equipment (docs/catalogue/methods.md).
 
 usage: catalogue.py GURNEY OUTPUT [--items a,b] [--only FLOOR,PLACE,BRAKES]... [--variance]
-           [--motions FILE | --suite FOLDER] [--draws N] [--threads N]
+           [--motions FILE... | --suite FOLDER] [--levels V,V...] [--draws N] [--threads N]
 
 GURNEY is the program, OUTPUT a folder for motions, jobs and results. A study that is finished is not
-run again, one that was interrupted goes on. --motions takes another file of synthetic motions than MOTIONS,
---suite recorded ones, --draws several draws of each motion; --only runs single configurations, with the same
-numbers; tables.py then writes the tables. --variance runs the studies of variance.py: several draws and replicas of each motion.
+run again, one that was interrupted goes on. --motions takes another file of synthetic motions than MOTIONS, or
+one for each level, --suite recorded ones, --levels other PGV, --draws several draws of each motion; --only runs
+single configurations, with the same numbers; tables.py then writes the tables. --variance runs the studies of
+variance.py: several draws and replicas of each motion.
 """
 
 import argparse
@@ -69,10 +70,10 @@ def combinations(rows_of_levels):
     return f"combinations = {json.dumps(rows_of_levels)}\n" if rows_of_levels else ""
 
 
-def design(item, only, variance, draws):
+def design(item, only, variance, draws, levels):
     """The words of the template that say which runs a study has."""
     if not variance:
-        return {"DRAWS": str(draws), "LEVELS": json.dumps(LEVELS_OF_CURVES),
+        return {"DRAWS": str(draws), "LEVELS": json.dumps(levels),
                 "COMBINATIONS": combinations([each.split(",") for each in only])}
     chosen = [[VARIANCE["floor"], VARIANCE["place"], setting] for setting in item["brakes"].split()]
     return {"DRAWS": str(VARIANCE["draws"]), "LEVELS": json.dumps(VARIANCE["levels"]),
@@ -97,14 +98,17 @@ def chosen_items(names):
     return [item for item in items if item["item"] in named]
 
 
-def job_text(gurney, item, jobs, suite, only=(), variance=False, draws=1):
-    """The template with the size of the item's bay."""
+def job_text(gurney, item, jobs, suites, only=(), variance=False, draws=1, levels=LEVELS_OF_CURVES):
+    """The template with the size of the item's bay.
+
+    suites: one folder of motions, or one for each level."""
+    key = "suite" if len(suites) == 1 else "suite_by_level"
     words = bay_words(sheet_of(gurney, item["item"])["size_m"]) | {
         "ITEM": item["item"],
-        "SUITE": os.path.relpath(suite, jobs),
+        "SUITE": f"{key} = {json.dumps([os.path.relpath(suite, jobs) for suite in suites])}",
         "ROOT": os.path.relpath(ROOT, jobs),
         "BRAKES": brakes(item["brakes"].split()),
-    } | design(item, only, variance, draws)
+    } | design(item, only, variance, draws, levels)
     return filled("item_study.toml.in", words)
 
 
@@ -133,6 +137,32 @@ def run(gurney, job, results, threads):
         sys.exit(f"catalogue.py: {job}: gurney run ended with {code}")
 
 
+def studied(gurney, output, items, text_of, threads):
+    """Runs a study of each item with the motions of the catalogue, and yields the item and its results.
+
+    text_of(gurney, item, jobs, suite) is the job, in the folder `jobs`, with the motions of the folder `suite`."""
+    jobs, suite = os.path.join(output, "jobs"), os.path.join(output, "motions")
+    os.makedirs(jobs, exist_ok=True)
+    make_motions(gurney, suite, MOTIONS)
+    for item in items:
+        print(item, flush=True)
+        job, results = os.path.join(jobs, item + ".toml"), os.path.join(output, item + ".h5")
+        with open(job, "w") as file:
+            file.write(text_of(gurney, item, jobs, suite))
+        run(gurney, job, results, threads)
+        yield item, results
+
+
+def options_of_studies(about):
+    """Arguments of a program that runs studies beside those of the curves."""
+    parser = argparse.ArgumentParser(description=about)
+    for name in ("gurney", "output", "tables"):
+        parser.add_argument(name)
+    parser.add_argument("--items", help="some of them, with commas between (default: all)")
+    parser.add_argument("--threads", type=int, default=os.cpu_count())
+    return parser
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("gurney")
@@ -140,23 +170,28 @@ def main():
     parser.add_argument("--items", help="of items.csv (default: all)")
     parser.add_argument("--only", action="append", default=[], help="floor, place, brakes of one configuration; repeatable")
     parser.add_argument("--variance", action="store_true", help="draws and replicas instead of the curves")
-    parser.add_argument("--motions", default=MOTIONS, help="file of synthetic motions (default: that of the catalogue)")
+    parser.add_argument("--motions", nargs="+", default=[MOTIONS],
+                        help="file of synthetic motions, or one for each level (default: that of the catalogue)")
     parser.add_argument("--suite", help="folder or list of records instead of the synthetic motions")
+    parser.add_argument("--levels", default=",".join(map(str, LEVELS_OF_CURVES)), help="PGV of the ground [m/s]")
     parser.add_argument("--draws", type=int, default=1, help="of item, casters and floor for each motion (default: 1)")
     parser.add_argument("--threads", type=int, default=os.cpu_count())
     options = parser.parse_args()
     items = chosen_items(options.items)
     jobs = os.path.join(options.output, "jobs")
     os.makedirs(jobs, exist_ok=True)
-    suite = options.suite or os.path.join(options.output, os.path.splitext(os.path.basename(options.motions))[0])
+    suites = [options.suite] if options.suite else [
+        os.path.join(options.output, os.path.splitext(os.path.basename(path))[0]) for path in options.motions]
     if not options.suite:
-        make_motions(options.gurney, suite, options.motions)
+        for suite, path in zip(suites, options.motions):
+            make_motions(options.gurney, suite, path)
+    levels = [float(level) for level in options.levels.split(",")]
     for number, item in enumerate(items, 1):
         print(f"{number} of {len(items)}: {item['item']}", flush=True)
         job = os.path.join(jobs, item["item"] + ".toml")
         with open(job, "w") as file:
-            file.write(job_text(options.gurney, item, jobs, suite, options.only, options.variance,
-                                options.draws))
+            file.write(job_text(options.gurney, item, jobs, suites, options.only, options.variance,
+                                options.draws, levels))
         run(options.gurney, job, os.path.join(options.output, item["item"] + ".h5"), options.threads)
 
 

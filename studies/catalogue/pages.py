@@ -11,6 +11,7 @@ pages are not those of the tables, or where the advice of overview.html is not w
 
 import json
 import os
+import statistics
 import subprocess
 import sys
 
@@ -111,17 +112,30 @@ def action_map(advice, floors, names, place):
 
 
 def tether_table(rows, names):
-    """What straps do in the bay: loss, chance of lost service, hits and falls of all runs, tension."""
-    lines = ["| item | held by | days | lost [%] | hit at 0.8 m/s | overturned | tension [kN] | broken |",
-             "| --- " * 8 + "|"]
+    """What straps do in the bay: loss, chance of lost service, hits and falls of all runs, way, turn, tension."""
+    lines = ["| item | held by | days | lost [%] | hit at 0.8 m/s | overturned | way [m] | turn [deg] | tension [kN] | broken |",
+             "| --- " * 10 + "|"]
+
+    def ends(row, quantity, unit, digits):
+        both = (row[quantity + end] for end in ("_median", "_p95"))
+        return " to ".join(f"{float(end) / unit:.{digits}f}" for end in both if end)
+
     for row in rows:
-        ends = (row["tension_median_n"], row["tension_p95_n"])
-        tension = " to ".join(f"{float(end) / 1000:.1f}" for end in ends if end)
         cells = [f"[{names[row['item']]}]({row['item']}.md)", row["held"], interval_words(row, "days", days),
                  interval_words(row, "lost", percent), f"{row['hit at 0.8 m/s']}/{row['runs']}",
-                 f"{row['overturned']}/{row['runs']}", tension, row["broken"]]
+                 f"{row['overturned']}/{row['runs']}", ends(row, "displacement_m", 1, 2), ends(row, "yaw_deg", 1, 0),
+                 ends(row, "tension_n", 1000, 1), row["broken"]]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
+
+
+def held_medians(rows):
+    """Medians of the items: chance of lost service and way, by how they are held."""
+    def median(held, column):
+        return statistics.median(float(row[column]) for row in rows if row["held"] == held)
+
+    return "; ".join(f"{held} {percent(median(held, 'lost'))} % and {median(held, 'displacement_m_median'):.1f} m"
+                     for held in dict.fromkeys(row["held"] for row in rows))
 
 
 def tethers_page(rows, names):
@@ -129,10 +143,12 @@ def tethers_page(rows, names):
             *wrapped("Items in their bay, upstairs in the flexible building, held by nothing, by their brakes, and by straps "
                      "to the wall behind them ([method](methods.md#tethers)). Days out of use and chance of lost service at "
                      f"a peak floor velocity of {SPEED} m/s; runs that exceed of those at all levels; median and 95 % of "
-                     "the largest tension at a PGV of 0.8 m/s; straps that broke, of all runs."), "",
+                     "the largest displacement, yaw and tension at a PGV of 0.8 m/s; straps that broke, of all runs."), "",
             *wrapped("Two straps keep an item where its lines reach, and throw it against the wall: lost service becomes "
                      "rarer, hits more frequent, and at 3 kN many straps break. By days out of use straps of this "
-                     f"kind gain little or lose, unless the wall or the item is padded: what a hit costs decides. {CAUTION}"), "",
+                     f"kind gain little or lose, unless the wall or the item is padded: what a hit costs decides. A strap with "
+                     "brakes loses service least. Medians of the items, lost service and way: "
+                     f"{held_medians(rows)}. {CAUTION}"), "",
             *tether_table(rows, names), ""]
 
 
@@ -160,13 +176,18 @@ def contents_page(rows, names):
                      f"contents)), {WHERE[0]}, open floor, with the motions, levels and draws of the catalogue "
                      "([contents.csv](data/contents.csv), by `studies/catalogue/contents.py`). Median peak floor velocity "
                      "[m/s] (logarithmic standard deviation), or runs that exceed ([legend](methods.md#pages-of-the-items)); "
-                     "then runs of 128 that exceed, and of the rigid item of the other pages. What falls or opens counts an "
-                     "item that overturns as well, as its run ends there. Locks of drawers are off. Nearly all numbers of the "
+                     "then runs of 128 that exceed, and of the rigid item of the other pages. What falls, opens or is shaken "
+                     "counts an item that overturns as well, as its run ends there. The sensitive point is on the part "
+                     "that carries it: the patient's head, the tray under the infant, the monitor that tilts. Locks of "
+                     "drawers are off. Nearly all numbers of the "
                      f"parts are assumptions: {CAUTION[0].lower() + CAUTION[1:]}"), "",
             *contents_table(rows, names), "",
             *wrapped("**Drawers that open carry the centre of mass out of the base**: where the row of an item with brakes on "
                      "overturns more often than the rigid one, lock its drawers before its brakes are set. The advice of the "
                      "other pages is for items whose parts stay shut."), "",
+            *wrapped("**A mattress spares the patient; a flexible pole or column shakes what it carries**: 1 g at the "
+                     "sensitive point takes more velocity than with the rigid bed, and less than with the rigid pole or "
+                     "stand, brakes off."), "",
             *(wrapped(f"Not run: {', '.join(missing)}.") + [""] if missing else [])]
 
 

@@ -37,17 +37,18 @@ def pairs(first, second):
             "within": "yes" if within(b["theta"], a) else "no"}
 
 
-def summary(rows):
-    """Of each setting of the brakes and limit state: pairs, geometric mean and ends of the ratios, and how many
-    of the other medians lie in the interval of the shipped one."""
+def summary(rows, keys=("brakes", "limit_state")):
+    """Of rows with equal keys: pairs, geometric mean and ends of the ratios, and how many of the other medians lie in
+    the interval of the shipped one."""
     groups = {}
     for row in rows:
-        groups.setdefault((row["brakes"], row["limit_state"]), []).append(row)
-    for (brakes, state), group in groups.items():
+        groups.setdefault(tuple(row[key] for key in keys), []).append(row)
+    for values, group in groups.items():
         ratios = [float(row["ratio"]) for row in group]
-        yield {"brakes": brakes, "limit_state": state, "curves": len(group),
-               "ratio": f"{math.exp(sum(map(math.log, ratios)) / len(ratios)):.2f}", "lowest": f"{min(ratios):.2f}",
-               "highest": f"{max(ratios):.2f}", "within": sum(row["within"] == "yes" for row in group)}
+        yield dict(zip(keys, values)) | {
+            "curves": len(group), "ratio": f"{math.exp(sum(map(math.log, ratios)) / len(ratios)):.2f}",
+            "lowest": f"{min(ratios):.2f}", "highest": f"{max(ratios):.2f}",
+            "within": sum(row["within"] == "yes" for row in group)}
 
 
 def main():

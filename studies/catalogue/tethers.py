@@ -1,13 +1,13 @@
 """What straps change for each item in its bay (docs/catalogue/methods.md, Tethers).
 
-usage: tethers.py GURNEY OUTPUT TABLES [--items a,b] [--threads N]
+usage: tethers.py GURNEY OUTPUT TABLES [--items a,b] [--held HOW] [--threads N]
 
 OUTPUT gets motions, jobs and results as of catalogue.py; TABLES gets tethers.csv: expected days out of use and chance
-of lost service with nothing, brakes, straps, and the tension of the straps.
+of lost service with nothing, brakes, straps, the tension of the straps, and how far the item goes and turns.
 """
 
-import argparse
 import csv
+import functools
 import json
 import math
 import os
@@ -23,9 +23,13 @@ SPEED = 0.8  # [m/s] peak floor velocity of the losses, PGV of the tensions
 HEIGHT = 0.7  # of the strap over that of the item, an assumption between 0.5 and 1
 SLACK = 0.05  # [m] beyond the distance to the anchor, an assumption between 0 and 0.2
 BESIDE = 0.2  # [m] from the corners of the item to the anchors of two straps, along the wall
+HELD = ("nothing", "brakes", "one strap", "two straps", "one strap, brakes")
+# Of the runs at a PGV of SPEED: table and column of the results, and the unit in SI.
+DEMANDS = {"tension_n": ("tethers", "peak_tension", 1), "displacement_m": ("items", "peak_displacement", 1),
+           "yaw_deg": ("items", "peak_yaw", math.radians(1))}
 COLUMNS = ["item", "held", "runs", "overturned", "hit at 0.8 m/s", "failed", *(
-    quantity + end for quantity in ("days", "lost") for end in ("", "_low", "_high")),
-    "tension_median_n", "tension_p95_n", "broken", "best", "share"]
+    quantity + end for quantity in ("days", "lost") for end in ("", "_low", "_high")), *(
+    quantity + end for quantity in DEMANDS for end in ("_median", "_p95")), "broken", "best", "share"]
 
 
 def strap(name, point, anchor):
@@ -49,7 +53,8 @@ def held(size):
             "one strap, brakes": braked + f"tether = [{one}]\n"}
 
 
-def job_text(gurney, item, jobs, suite):
+def job_text(gurney, item, jobs, suite, only=None):
+    """The job of an item: all of HELD, or only one of them."""
     size = catalogue.sheet_of(gurney, item)["size_m"]
     with open(os.path.join(catalogue.HERE, "item_study.toml.in")) as file:
         whole = file.read()
@@ -57,30 +62,40 @@ def job_text(gurney, item, jobs, suite):
         "ITEM": item, "SUITE": os.path.relpath(suite, jobs), "ROOT": os.path.relpath(catalogue.ROOT, jobs),
         "LEVELS": json.dumps(catalogue.LEVELS_OF_CURVES),
         "LIMIT_STATES": whole[whole.index("[[study.limit_state]]"):],
-        "HELD": "".join(f'[study.factor.level."{name}"]\n{text}' for name, text in held(size).items())}
+        "HELD": "".join(f'[study.factor.level."{name}"]\n{text}' for name, text in held(size).items() if only in (None, name))}
     return catalogue.filled("tether_study.toml.in", words)
 
 
-def tensions(gurney, results):
-    """By configuration: the largest tension of each run at a PGV of SPEED, and how many straps broke in all runs."""
+def exported(gurney, results):
+    """The tables of results as rows by column, by the table's name."""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([gurney, "export", results, "--to", "csv", "-o", folder, "--overwrite"], check=True,
                        stdout=subprocess.DEVNULL)
 
         def read(name):
-            with open(os.path.join(folder, name), newline="") as file:
+            with open(os.path.join(folder, name + ".csv"), newline="") as file:
                 return list(csv.DictReader(file))[1:]  # after the units
 
-        names = {row["row"]: row["name"] for row in read("configurations.csv")}
-        runs, largest, broken = {row["run"]: row for row in read("runs.csv")}, {}, {}
-        for row in read("tethers.csv"):
+        return {name: read(name) for name in ("configurations", "runs", "items", "tethers")}
+
+
+def demands(gurney, results):
+    """By configuration: what the runs at a PGV of SPEED have of each quantity of DEMANDS, increasing, and how many
+    straps broke in all runs."""
+    tables = exported(gurney, results)
+    names = {row["row"]: row["name"] for row in tables["configurations"]}
+    runs = {row["run"]: row for row in tables["runs"]}
+    of_runs, broken = {}, {}
+    for quantity, (table, column, unit) in DEMANDS.items():
+        for row in tables[table]:
             run = runs[row["run"]]
-            of = names[run["configuration"]]
-            broken[of] = broken.get(of, 0) + (float(row["time_broken"]) >= 0)
             if float(run["intensity"]) == SPEED:
-                by_run = largest.setdefault(of, {})
-                by_run[row["run"]] = max(by_run.get(row["run"], 0), float(row["peak_tension"]))
-    return {of: sorted(each.values()) for of, each in largest.items()}, broken
+                of = of_runs.setdefault((names[run["configuration"]], quantity), {})
+                of[row["run"]] = max(of.get(row["run"], 0), abs(float(row[column])) / unit)
+    for row in tables["tethers"]:
+        of = names[runs[row["run"]]["configuration"]]
+        broken[of] = broken.get(of, 0) + (float(row["time_broken"]) >= 0)
+    return {key: sorted(each.values()) for key, each in of_runs.items()}, broken
 
 
 def rows(gurney, item, results):
@@ -89,39 +104,30 @@ def rows(gurney, item, results):
         curves.setdefault(each["configuration"], {})[each["limit_state"]] = curve_row(item, "pfv", each)
     of = losses.consequences()
     samples = losses.samples_of(curves, lambda quantity: of(item, quantity), SPEED, f"tethers {item}")
-    best, share = losses.best_of(samples["days"])
-    pulled, broken = tensions(gurney, results)
+    best = losses.best_of(samples["days"])
+    share = losses.share_of(samples["days"], best)
+    of_runs, broken = demands(gurney, results)
     for name, states in curves.items():
         row = {"item": item, "held": name, "best": best, "share": share}
         row |= {key: states["overturned"][key] for key in ("runs", "failed")}
         row |= {state: states[state]["exceed"] for state in ("overturned", "hit at 0.8 m/s")}
         for quantity in ("days", "lost"):
             row |= dict(zip((quantity, quantity + "_low", quantity + "_high"), losses.cells(samples[quantity], name)))
-        if name in pulled:
-            of_runs = pulled[name]
-            row |= {"tension_median_n": number(statistics.median(of_runs)),
-                    "tension_p95_n": number(of_runs[math.ceil(0.95 * len(of_runs)) - 1]), "broken": broken[name]}
-        yield row
+        for quantity in DEMANDS:
+            if values := of_runs.get((name, quantity)):
+                row |= {f"{quantity}_median": number(statistics.median(values)),
+                        f"{quantity}_p95": number(values[math.ceil(0.95 * len(values)) - 1])}
+        yield row | {"broken": broken.get(name, "")}
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("gurney")
-    parser.add_argument("output")
-    parser.add_argument("tables")
-    parser.add_argument("--items", help="of items.csv (default: all)")
-    parser.add_argument("--threads", type=int, default=os.cpu_count())
+    parser = catalogue.options_of_studies(__doc__.splitlines()[0])
+    parser.add_argument("--held", help=f"one of {', '.join(HELD)} (default: all)")
     options = parser.parse_args()
-    jobs, suite = os.path.join(options.output, "jobs"), os.path.join(options.output, "motions")
-    os.makedirs(jobs, exist_ok=True)
-    catalogue.make_motions(options.gurney, suite, catalogue.MOTIONS)
+    text_of = functools.partial(job_text, only=options.held)
+    items = [row["item"] for row in catalogue.chosen_items(options.items)]
     found = []
-    for item in (row["item"] for row in catalogue.chosen_items(options.items)):
-        print(item, flush=True)
-        job, results = os.path.join(jobs, item + ".toml"), os.path.join(options.output, item + ".h5")
-        with open(job, "w") as file:
-            file.write(job_text(options.gurney, item, jobs, suite))
-        catalogue.run(options.gurney, job, results, options.threads)
+    for item, results in catalogue.studied(options.gurney, options.output, items, text_of, options.threads):
         found += rows(options.gurney, item, results)
     os.makedirs(options.tables, exist_ok=True)
     write_csv(os.path.join(options.tables, "tethers.csv"), COLUMNS, found)

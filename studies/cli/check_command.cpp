@@ -72,14 +72,13 @@ void add_scale_factors(Answer& answer, const study::Batch& batch) {
   const study::IntensityPlan& plan = batch.job.study().intensity;
   const bool ida = plan.kind == study::IntensityPlan::Kind::kIda;
   const bool stated = plan.kind == study::IntensityPlan::Kind::kScales;
-  const std::vector<double> levels = ida ? std::vector<double>{plan.first} : plan.levels;
   study::ScaleFactors factors;
   std::size_t number = 0;
   for (std::size_t set = 0; set < batch.motions.sets(); ++set) {
     const study::MotionSet& motions = batch.motions.set(set);
     for (std::size_t i = 0; i < motions.size(); ++i, ++number)
-      for (const double level : levels)
-        if (!motions.name(i).empty())
+      for (const double level : motions.levels(i))
+        if (!motions.name(i).empty() && (!ida || level == plan.first))
           factors.add(number, stated ? level : motions.scale_for(i, level));
   }
   if (!factors.any()) return;

@@ -65,6 +65,11 @@ std::string fragility(const PlotRequest& request, const figures::PlotPage& page)
 template <auto Draw>
 std::string of_demands(const PlotRequest& request, const figures::PlotPage& page) {
   const study::StudyData data(request.file, {}, {}, page.units);
+  if constexpr (Draw == figures::ida_figure)
+    require(!data.has_suites_by_level(),
+            request.file +
+                ": each level has records of its own, which no curve follows from one "
+                "level to the next; gurney plot FILE stripes has their demands");
   std::vector<std::string> names = request.what;
   if (names.empty()) names = {"peak_displacement"};
   std::vector<study::DemandRuns> all;

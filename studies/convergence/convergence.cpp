@@ -33,16 +33,6 @@ void scale_treads(Scene& scene, double factor) {
     }
 }
 
-constexpr std::size_t kStepsOfIda = 4;
-
-std::vector<double> intensities_of(const IntensityPlan& plan) {
-  if (plan.kind != IntensityPlan::Kind::kIda) return plan.levels;
-  std::vector<double> values{plan.first};
-  for (std::size_t step = 1; step < kStepsOfIda; ++step)
-    values.push_back(values.back() + static_cast<double>(step) * plan.increment);
-  return values;
-}
-
 std::string name_of_run(const Batch& batch, const Task& task, double value) {
   const IntensityPlan& plan = batch.job.study().intensity;
   const auto& levels = batch.job.configurations()[task.configuration].levels;
@@ -58,18 +48,18 @@ ConvergenceCases cases_of_study(const StudyJob& job, std::size_t most, int threa
   const Plan plan(job, motions);
   const Batch batch{job, motions, plan};
   const Study& study = job.study();
-  const std::vector<double> values = intensities_of(study.intensity);
+  const std::size_t values_of_task = motions.set_of(0).levels(0).size();
   ConvergenceCases cases;
   cases.of_runs = plan.runs();
   cases.limit_states = study.limit_states;
-  const std::size_t all = plan.tasks_of_stage() * values.size(), count = std::min(most, all);
+  const std::size_t all = plan.tasks_of_stage() * values_of_task, count = std::min(most, all);
   std::string last_problem;
   for (std::size_t i = 0; i < count; ++i) {
     // Tasks at equal distances; where they are fewer than the runs, each has several levels.
     const std::size_t task_index = i * plan.tasks_of_stage() / count;
     const Task task = plan.task(task_index);
-    const double value = values[i % values.size()];
     const MotionSet& set = motions.set_of(task.configuration);
+    const double value = set.levels(task.record)[i % values_of_task];
     const double scale = study.intensity.kind == IntensityPlan::Kind::kScales
                              ? value
                              : set.scale_for(task.record, value);

@@ -246,7 +246,10 @@ HospitalStudy read_study(Table in) {
   study.draws = in.integer("draws", 1, std::numeric_limits<int>::max(), 1);
   study.seed =
       static_cast<std::uint64_t>(in.integer("seed", 0, std::numeric_limits<int>::max(), 1));
-  if (in.table("record")) {
+  if (auto record = in.table("record")) {
+    if (record->has("suite_by_level"))
+      record->note("suite_by_level",
+                   ": a hospital needs the same records at all levels, as suite has them");
     study.record = inline_toml(*in.document().tree().find("simulation"), "record", "",
                                fs::path(in.document().path()).parent_path());
     in.set_aside("record");

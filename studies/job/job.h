@@ -43,7 +43,9 @@ struct BuildingRequest {
 /// The ground or floor motion a job asks for; motion.h makes it.
 struct RecordRequest {
   std::vector<groundmotions::RecordFile> files;  ///< or `synthetic`, or, in a study, `suite`
-  std::vector<std::filesystem::path> suite;      ///< folders, lists, files: each record in turn
+  /// Folders, lists, files: each record in turn. By level: one path for each level of the study.
+  std::vector<std::filesystem::path> suite;
+  bool suite_by_level = false;
   groundmotions::ReadOptions options;
   std::optional<groundmotions::SyntheticRequest> synthetic;
   bool use_x = true, use_y = true, use_z = true;  ///< components that act; the others stay at 0

@@ -25,6 +25,7 @@ using config::Table;
 namespace fs = std::filesystem;
 
 constexpr std::array kAxes = {"x", "y", "z"};
+constexpr const char* kSuiteByLevel = "suite_by_level";
 
 /// Relative to the folder of the job; noted where nothing is there.
 fs::path existing_path(Table& table, const std::string& key, const std::string& name) {
@@ -44,18 +45,24 @@ fs::path checked_path(Table& table, const std::string& key, const std::string& n
 }
 
 /// A file, a folder, or a pattern such as "recs/*.AT2".
-fs::path suite_path(Table& table, const std::string& name) {
+fs::path suite_path(Table& table, const std::string& key, const std::string& name) {
+  if (name.empty()) {  // or no text, which its reader has noted
+    if (table.document().errors() == 0) table.note(key, " has \"\": must name files");
+    return {};
+  }
   const fs::path path = (fs::path(table.document().path()).parent_path() / name).lexically_normal();
   return groundmotions::is_glob(path) && !groundmotions::glob(path).empty()
              ? path
-             : existing_path(table, "suite", name);
+             : existing_path(table, key, name);
 }
 
 /// Files for stated axes, or files that place their components themselves.
 std::vector<groundmotions::RecordFile> read_files(Table& excitation, Table& in,
-                                                  std::vector<fs::path>& suite) {
+                                                  RecordRequest& record) {
   std::vector<groundmotions::RecordFile> files;
-  for (const std::string& name : in.texts("suite")) suite.push_back(suite_path(in, name));
+  record.suite_by_level = in.has(kSuiteByLevel);
+  for (const std::string key : {"suite", kSuiteByLevel})
+    for (const std::string& name : in.texts(key)) record.suite.push_back(suite_path(in, key, name));
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
     const char* key = kAxes[static_cast<std::size_t>(direction)];
     if (const std::string name = in.text(key, ""); !name.empty())
@@ -65,11 +72,13 @@ std::vector<groundmotions::RecordFile> read_files(Table& excitation, Table& in,
   for (const std::string& name : in.texts("file"))
     files.push_back({.path = checked_path(in, "file", name)});
   const bool by_file = in.has("file");
-  if (int(by_axis) + int(by_file) + int(in.has("synthetic")) + int(in.has("suite")) != 1)
+  if (int(by_axis) + int(by_file) + int(in.has("synthetic")) + int(in.has("suite")) +
+          int(record.suite_by_level) !=
+      1)
     excitation.note("record",
                     ": no components or too many; must have 'file' (one file with all components, "
                     "or an array of files), or files for 'x', 'y', 'z', or 'synthetic', or, in a "
-                    "study, 'suite'");
+                    "study, 'suite' or 'suite_by_level'");
   return files;
 }
 
@@ -178,7 +187,8 @@ std::optional<BuildingRequest> read_building_request(Table& excitation) {
 
 std::optional<RecordRequest> read_record_request(Table& excitation) {
   std::optional<BuildingRequest> building = read_building_request(excitation);
-  for (const char* key : {"file", "suite", "synthetic", "scale", "scale_to", "unit", "use"})
+  for (const char* key :
+       {"file", "suite", kSuiteByLevel, "synthetic", "scale", "scale_to", "unit", "use"})
     if (excitation.has(key))
       excitation.note(key, fmt::format(": unknown key; did you mean 'record.{}'?", key));
   auto found = excitation.table("record");
@@ -186,7 +196,7 @@ std::optional<RecordRequest> read_record_request(Table& excitation) {
   Table& in = *found;
   RecordRequest record;
   record.where = excitation.where("record");
-  record.files = read_files(excitation, in, record.suite);
+  record.files = read_files(excitation, in, record);
   read_channels(in, record.files);
   if (auto synthetic = in.table("synthetic"))
     record.synthetic = groundmotions::read_synthetic_request(*synthetic);

@@ -71,6 +71,7 @@ std::string motions_of(const StudyPage& page, Methods& methods) {
         records == 1 ? "was" : "were", overview.measure,
         page.data.study().limit_states[plan.until].words);
   } else if (plan.kind == Kind::kStripes) {
+    if (overview.suite_by_level) text += ", a suite for each level,";
     text += fmt::format(" {} scaled to {} of {} ({}{}){}", records == 1 ? "was" : "were",
                         counted(overview.levels.size(), "level"), overview.measure,
                         overview.levels.front(),

@@ -24,12 +24,17 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   replicas_ = static_cast<std::size_t>(study.replicas);
   runs_of_task_ = study.intensity.kind == IntensityPlan::Kind::kIda
                       ? static_cast<std::size_t>(study.intensity.most_runs)
-                      : study.intensity.levels.size();
+                      : motions.set_of(0).levels(0).size();
   seed_ = study.seed;
   stated_draws_ = study.draws;
   sampling_ = study.sampling;
-  for (std::size_t i = 0; i < job.configurations().size(); ++i)
-    most_records_ = std::max<std::uint64_t>(most_records_, motions.set_of(i).size());
+  for (std::size_t i = 0; i < job.configurations().size(); ++i) {
+    const MotionSet& set = motions.set_of(i);
+    most_records_ = std::max<std::uint64_t>(most_records_, set.size());
+    require(set.levels(0).size() == motions.set_of(0).levels(0).size(),
+            job.file() +
+                ": excitation.record.suite_by_level: must be of all configurations or of none");
+  }
   if (stated_draws_ > 0 && (sampling_ == Sampling::kSobol || sampling_ == Sampling::kSaltelli)) {
     streams_ = std::make_shared<Draw::Streams>();
     for (std::size_t i = 0; i < job.configurations().size(); ++i)

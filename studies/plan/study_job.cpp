@@ -65,6 +65,19 @@ std::vector<Configuration> combined(const Node& job, const Study& study, Documen
   return all;
 }
 
+/// The reason why a study cannot have a suite of each level; empty: it can, or has none.
+std::string wrong_with_suites(const RecordRequest& record, const Study& study) {
+  if (!record.suite_by_level) return {};
+  const IntensityPlan& plan = study.intensity;
+  if (plan.kind != IntensityPlan::Kind::kStripes || plan.more_stages > 0)
+    return "must go with study.intensity.levels that are not adaptive";
+  if (study.sampling == Sampling::kSaltelli)
+    return "must not go with study.sampling = \"saltelli\", where each record has each level";
+  if (record.suite.size() == plan.levels.size()) return {};
+  return fmt::format("must have a suite for each of the {} study.intensity.levels, has {}",
+                     plan.levels.size(), record.suite.size());
+}
+
 /// Refuses keys of a single run that a study varies by itself.
 /// @throws Error with each that is
 void refuse_contradictions(const Document& document, const Job& job, const Study& study) {
@@ -87,14 +100,18 @@ void refuse_contradictions(const Document& document, const Job& job, const Study
     if (wrong) errors.add(record.where + ": " + message);
   };
   const bool is_scaled = study.intensity.kind != IntensityPlan::Kind::kScales;
+  const auto where_of = [&](const char* key) {
+    return document.where(document.tree().find("excitation")->find("record")->find(key)->place);
+  };
+  if (const std::string wrong = wrong_with_suites(record, study); !wrong.empty())
+    errors.add(where_of("suite_by_level") + ": excitation.record.suite_by_level: " + wrong);
   refuse(record.scale_to && is_scaled,
          "scale_to must not go with study.intensity, which scales the records");
   if (record.scale != 1 && is_scaled)
     errors.add(fmt::format(
         "{}: excitation.record.scale = {:g}: has no effect with levels of a measure, to which "
         "study.intensity scales the records",
-        document.where(document.tree().find("excitation")->find("record")->find("scale")->place),
-        record.scale));
+        where_of("scale"), record.scale));
   refuse(record.angle != 0 && study.angles.size() > 1,
          "angle_deg must not go with study.angles_deg");
   refuse(study.synthetic_records > 0 &&

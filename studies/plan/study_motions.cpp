@@ -106,9 +106,9 @@ std::string text_of(const std::exception_ptr& problem) {
   }
 }
 
-groundmotions::Suite suite_of(const RecordRequest& request) {
-  if (request.suite.empty()) return {};
-  groundmotions::Suite suite = groundmotions::read_suite(request.suite, request.options);
+groundmotions::Suite suite_of(const RecordRequest& request,
+                              const std::vector<std::filesystem::path>& paths) {
+  groundmotions::Suite suite = groundmotions::read_suite(paths, request.options);
   std::string refused;
   for (const groundmotions::Refusal& each : suite.refused)
     refused += fmt::format("{}{}: {}", refused.empty() ? "" : "\n", request.where,
@@ -152,14 +152,31 @@ MotionSet::MotionSet(const Job& job, const Study& study, FloorRecords& floors, s
     for (int seed = 1; seed <= study.synthetic_records; ++seed)
       names_.push_back(fmt::format("{} {}", request_->synthetic->kind->name, seed));
   } else {
-    groundmotions::Suite suite = suite_of(*request_);
-    suite_ = std::move(suite.records);
-    notes_ = std::move(suite.notes);
-    std::ranges::move(suite.warnings, std::back_inserter(notes_));
-    for (const groundmotions::SuiteRecord& record : suite_) names_.push_back(record.name);
+    read_suites();
     if (suite_.empty()) names_ = {study::ground_record(*request_).name};
   }
   slots_ = std::make_unique<Slot[]>(names_.size());
+}
+
+void MotionSet::read_suites() {
+  const auto add = [&](const std::vector<std::filesystem::path>& paths, const std::string& suffix) {
+    groundmotions::Suite suite = suite_of(*request_, paths);
+    for (const groundmotions::SuiteRecord& record : suite.records)
+      names_.push_back(record.name + suffix);
+    std::ranges::move(suite.records, std::back_inserter(suite_));
+    std::ranges::move(suite.notes, std::back_inserter(notes_));
+    std::ranges::move(suite.warnings, std::back_inserter(notes_));
+  };
+  if (!request_->suite_by_level) {
+    if (!request_->suite.empty()) add(request_->suite, "");
+    return;
+  }
+  for (std::size_t level = 0; level < intensity_.levels.size(); ++level) {
+    add({request_->suite[level]},
+        fmt::format(" at {:g} {}", intensity_.levels[level] / intensity_.unit_in_si,
+                    intensity_.unit));
+    level_of_.resize(suite_.size(), level);
+  }
 }
 
 groundmotions::SourceFacts MotionSet::source_of(const groundmotions::Record& record,
@@ -260,6 +277,15 @@ GroundMotion MotionSet::facts_of(std::size_t record, const groundmotions::Record
           fmt::format("{}: record '{}' cannot be scaled: its {} is {:g}", request_->where,
                       names_[record], name_of(intensity_.measure), facts.intensity));
   return facts;
+}
+
+std::vector<double> MotionSet::levels(std::size_t record) const {
+  if (!level_of_.empty()) return {intensity_.levels[level_of_[record]]};
+  if (intensity_.kind != IntensityPlan::Kind::kIda) return intensity_.levels;
+  std::vector<double> values{intensity_.first};
+  for (std::size_t step = 1; step < kStepsOfIda; ++step)
+    values.push_back(values.back() + static_cast<double>(step) * intensity_.increment);
+  return values;
 }
 
 double MotionSet::scale_for(std::size_t record, double value) const {

@@ -67,6 +67,8 @@ struct GroundMotion {
   groundmotions::SourceFacts source;
 };
 
+constexpr std::size_t kStepsOfIda = 4;  ///< what of an IDA is known before it runs
+
 /// The records of all configurations that shake alike.
 class MotionSet {
  public:
@@ -86,6 +88,11 @@ class MotionSet {
   /// for last.
   FloorRecords::Shared ground_record(std::size_t record) const;
 
+  /// Values of the study's measure, or factors, at which a record is run in the first stage: all
+  /// levels of the plan, or of a suite by level the one it belongs to. Of an IDA those that its
+  /// first kStepsOfIda steps try.
+  std::vector<double> levels(std::size_t record) const;
+
   /// Factor on the ground motion that gives a value of the study's measure.
   double scale_for(std::size_t record, double value) const;
 
@@ -103,6 +110,7 @@ class MotionSet {
   std::optional<Motion> motion(std::size_t record, double scale, double angle) const;
 
  private:
+  void read_suites();
   groundmotions::Record read(std::size_t record) const;
   GroundMotion facts_of(std::size_t record, const groundmotions::Record& motion) const;
   /// Files of floor motions from another program.
@@ -115,7 +123,8 @@ class MotionSet {
 
   std::optional<RecordRequest> request_;
   std::vector<groundmotions::SuiteRecord> suite_;
-  std::vector<std::string> notes_;  ///< of the suite; warnings of its first record
+  std::vector<std::size_t> level_of_;  ///< of each record of suites by level; empty: all have all
+  std::vector<std::string> notes_;     ///< of the suite; warnings of its first record
   IntensityPlan intensity_;
   std::vector<KeptMeasure> kept_;
   std::vector<std::string> names_;

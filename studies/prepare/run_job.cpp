@@ -185,7 +185,7 @@ groundmotions::Record through_building(groundmotions::Record ground, const Recor
 
 groundmotions::Record ground_record(const RecordRequest& request) {
   require(request.suite.empty(), request.where +
-                                     ": 'suite' belongs to jobs with a table [study]; one run has "
+                                     ": a suite belongs to jobs with a table [study]; one run has "
                                      "one record: 'file', or 'x', 'y', 'z', or 'synthetic'");
   return unscaled(request);
 }

@@ -137,6 +137,8 @@ findings::Section design_findings(const study::StudyOverview& overview) {
   all.json("intensity_measure", overview.measure);
   all.fact("levels", overview.measure.empty() ? "records" : "intensity, " + overview.measure,
            overview.levels);
+  all.json("suite_by_level", overview.suite_by_level);
+  if (overview.suite_by_level) all.text("records", "a suite for each level");
   if (overview.factors_on_records.any())
     all.add(scale_factor_findings(overview.factors_on_records));
   all.json("draws", overview.draws).json("replicas", overview.replicas);

@@ -199,11 +199,9 @@ findings::List compared_answers(const study::StudyOverview& overview,
     return answers;
   }
   if (found.pairs.group == study::RunPairs::Group::kNone) return answers;
-  answers.title =
-      fmt::format("{} instead of {}, over all intensities",
-                  subject_of(overview, overview.configurations[1]), overview.configurations[0]);
   for (const study::ComparedQuantity& each : found.quantities) {
     if (each.kind != study::ComparedQuantity::Kind::kShare) continue;
+    if (!std::isfinite(each.p_holm)) continue;  // too few records to say anything
     const bool shown = each.p_holm < 0.05;
     answers.lines.push_back(fmt::format(
         "{}: {:.3g} % of the runs instead of {:.3g} %, {} (95 % interval of the difference {:.3g} "
@@ -215,6 +213,10 @@ findings::List compared_answers(const study::StudyOverview& overview,
         100 * each.interval.low, 100 * each.interval.high, each.groups,
         found.pairs.group == study::RunPairs::Group::kRecord ? "records" : "draws", each.p_holm));
   }
+  if (!answers.lines.empty())
+    answers.title =
+        fmt::format("{} instead of {}, over all intensities",
+                    subject_of(overview, overview.configurations[1]), overview.configurations[0]);
   return answers;
 }
 

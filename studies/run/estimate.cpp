@@ -48,13 +48,6 @@ Trial make_run(const Batch& batch, std::size_t index, double value) {
   return {processor_time() - start, bytes, warnings};
 }
 
-std::vector<double> intensities(const IntensityPlan& plan) {
-  if (plan.kind != IntensityPlan::Kind::kIda) return plan.levels;
-  std::vector<double> values;
-  for (int i = 0; i <= 3; ++i) values.push_back(plan.first + i * plan.increment);
-  return values;
-}
-
 /// Place i of n in a range, in an order that does not rise with i: tasks and intensities are not
 /// paired, low with low.
 std::size_t scattered(std::size_t i, std::size_t n, std::size_t size) {
@@ -65,17 +58,21 @@ std::size_t scattered(std::size_t i, std::size_t n, std::size_t size) {
 }  // namespace
 
 Estimate estimate(const Batch& batch) {
-  const std::vector<double> values = intensities(batch.job.study().intensity);
+  const auto values_of = [&](std::size_t index) {
+    const Task task = batch.plan.task(index);
+    return batch.motions.set_of(task.configuration).levels(task.record);
+  };
+  const std::size_t values = values_of(0).size();
   const std::size_t tasks = batch.plan.tasks_of_stage();
-  const std::size_t most = std::min(kMaxTimed, tasks * values.size());
+  const std::size_t most = std::min(kMaxTimed, tasks * values);
   Estimate result;
   result.runs = batch.plan.runs();
-  make_run(batch, 0, values.front());
+  make_run(batch, 0, values_of(0).front());
   double seconds = 0, bytes = 0;
   while (result.timed < most && (result.timed < 2 || seconds < kLongEnough)) {
     const std::size_t i = result.timed++;
     const std::size_t task = most < 2 ? 0 : i * (tasks - 1) / (most - 1);
-    const Trial trial = make_run(batch, task, values[scattered(i, most, values.size())]);
+    const Trial trial = make_run(batch, task, values_of(task)[scattered(i, most, values)]);
     seconds += trial.seconds;
     bytes += static_cast<double>(trial.bytes);
     for (const std::string& warning : trial.warnings)

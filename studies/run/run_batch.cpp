@@ -14,11 +14,14 @@
 namespace gurney::study {
 
 StageLevels::StageLevels(const Batch& batch)
-    : batch_(batch),
-      levels_(batch.job.configurations().size(), batch.job.study().intensity.levels),
-      stripes_(levels_.size()) {
-  for (std::size_t i = 0; i < levels_.size(); ++i)
-    for (const double level : levels_[i]) stripes_[i][level].im = level;
+    : batch_(batch), levels_(batch.job.configurations().size()), stripes_(levels_.size()) {
+  for (auto& stripes : stripes_)
+    for (const double level : batch.job.study().intensity.levels) stripes[level].im = level;
+}
+
+std::vector<double> StageLevels::of(const Task& task) const {
+  return stage_ > 0 ? levels_[task.configuration]
+                    : batch_.motions.set_of(task.configuration).levels(task.record);
 }
 
 void StageLevels::advance(const std::function<TaskResult(std::size_t)>& read) {
@@ -172,8 +175,9 @@ void run_tasks(const Work& work, const std::vector<std::size_t>& tasks, const St
     if (!work.go_on()) return;
     const Task task = work.batch.plan.task(tasks[i]);
     const double before = cpu_seconds();
-    TaskResult result = run_task(work.batch, tasks[i], work.go_on, work.crashes.given_up(),
-                                 &levels.of(task.configuration));
+    const std::vector<double> values = levels.of(task);
+    TaskResult result =
+        run_task(work.batch, tasks[i], work.go_on, work.crashes.given_up(), &values);
     result.cost.record = work.batch.motions.set_of(task.configuration).name(task.record);
     result.cost.cpu_seconds = cpu_seconds() - before;
     TaskBytes part;

@@ -19,7 +19,7 @@ class StageLevels {
   explicit StageLevels(const Batch& batch);
 
   std::size_t stage() const { return stage_; }
-  const std::vector<double>& of(std::size_t configuration) const { return levels_[configuration]; }
+  std::vector<double> of(const Task& task) const;
 
   /// The next stage; all tasks of this one are done.
   /// @param read  gives a task's result
@@ -28,7 +28,7 @@ class StageLevels {
  private:
   const Batch& batch_;
   std::size_t stage_ = 0;
-  std::vector<std::vector<double>> levels_;
+  std::vector<std::vector<double>> levels_;  ///< of each configuration after the first stage
   std::vector<std::map<double, statistics::Stripe>>
       stripes_;  ///< of each configuration, by intensity
 };

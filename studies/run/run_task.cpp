@@ -108,7 +108,7 @@ TaskResult run_task(const Batch& batch, std::size_t index, const std::function<b
     bad = error.what();
   }
   IntensityPlan plan = study.intensity;
-  if (levels != nullptr) plan.levels = *levels;
+  plan.levels = levels != nullptr ? *levels : motions.levels(task.record);
   Intensities intensities(plan);
   while (const std::optional<double> value = intensities.next()) {
     if (!go_on()) return {};

@@ -153,6 +153,18 @@ TEST(ImpactLog, EndsAnImpactThatComesToRest) {
   EXPECT_NEAR(impacts[0].impulse, kStep * 4 * 10, 1e-12);
 }
 
+// Faster than half the limit, either way: it lasts for as long as it touches.
+TEST(ImpactLog, AnImpactThatStillMovesLasts) {
+  for (const double speed : {0.03, -0.03}) {
+    Log log;
+    log.step({{.from = 0, .to = 1e-3, .first = 10, .end = 10, .speed = -1, .approach = 0.2}});
+    for (int i = 0; i < 9; ++i)
+      log.step({{.from = 1e-3, .to = 1e-3, .first = 10, .end = 10, .speed = speed}});
+    EXPECT_TRUE(log.kinds().restitution);
+    EXPECT_NEAR(log.impacts().at(0).duration, 10 * kStep, 1e-15);
+  }
+}
+
 TEST(ImpactLog, EndsAnImpactWhoseContactIsGoneAndCutsOffWhatLasts) {
   Log log;
   log.step({{.from = 0, .to = 1e-3, .first = 10, .end = 10, .speed = -1, .approach = 0.2}});

@@ -56,6 +56,8 @@ TEST(Outcome, AnItemThatComesToRestHasRested) {
   EXPECT_NEAR(response.items[0].history.back().time, response.end_time, 1e-9) << "the end is kept";
   EXPECT_EQ(response.cause, "");
   EXPECT_TRUE(finite(response));
+  EXPECT_GT(response.quality.largest_residual, 0) << "the worst step, not the best";
+  EXPECT_LE(response.quality.largest_residual, job.settings.residual);
 }
 
 TEST(Outcome, AnItemThatNeverRestsIsStillMovingAfterTheSettleTime) {

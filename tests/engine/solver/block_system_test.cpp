@@ -74,7 +74,8 @@ TEST(BlockSystem, SolvesChainsStarsAndRings) {
   for (const Example& example : {Example{{6}, {}}, Example{{6, 6}, {}}, Example{{6, 6}, {{0, 1}}},
                                  Example{{6, 6, 6, 8}, {{0, 3}, {1, 3}, {2, 3}}},
                                  Example{{6, 8, 6, 22}, {{0, 1}, {1, 2}, {2, 3}, {0, 3}}},
-                                 Example{{10, 6, 6, 6, 6}, {{0, 4}, {0, 2}, {1, 3}}}})
+                                 Example{{10, 6, 6, 6, 6}, {{0, 4}, {0, 2}, {1, 3}}},
+                                 Example{{1, 5, 9, 7}, {{0, 1}, {1, 2}, {2, 3}, {0, 3}}}})
     EXPECT_LT(residual_of(example, random), kRounding);
 }
 

@@ -57,6 +57,15 @@ TEST(CsmipVolume, ReadsEverySpellingOfTheLineAboveTheSamples) {
   }
 }
 
+TEST(CsmipVolume, TakesTheStepAboveTheSamplesAndSaysWhereTheHeaderHasAnother) {
+  EXPECT_TRUE(read(csmip_volume2())[0].warnings.empty());
+  const Component other = read(csmip_volume2("CHAN  1:  90 DEG", 90, 0.01))[0];
+  EXPECT_EQ(other.time_step, 0.02);
+  EXPECT_THAT(other.warnings,
+              ElementsAre(HasSubstr("states a time step of 0.01 s, but the line above the samples "
+                                    "0.02 s, which was taken")));
+}
+
 TEST(CsmipVolume, ReadsEvenPairs) {
   std::vector<double> times;
   for (int i = 0; i < 10; ++i) times.push_back(0.02 * i);

@@ -74,12 +74,13 @@ inline std::string pairs_volume1(const std::vector<double>& times, VolumeHeader 
 }
 
 /// CSMIP volume 2, its last header line wrapped.
-inline std::string csmip_volume2(const std::string& label = "CHAN  1:  90 DEG", int code = 90) {
+inline std::string csmip_volume2(const std::string& label = "CHAN  1:  90 DEG", int code = 90,
+                                 double stated_step = 0.02) {
   std::vector<int> integers(100, 0);
   integers[26] = code;
   std::vector<double> reals(100, 0.0);
   reals[59] = 0.18;
-  reals[60] = 0.02;
+  reals[60] = stated_step;
   std::string text =
       "CORRECTED ACCELEROGRAM   00001-X0001-01001.01  " + label +
       "     FROM\r\nUNCORRECTED ACCELEROGRAM DATA              PROCESSED: 01/02/03\r\n"

@@ -98,9 +98,13 @@ TEST(UsgsSmc, KnowsUpAndDown) {
   expect_the_motion(down, -1);
   EXPECT_EQ(down.direction, Direction::kVertical);
   EXPECT_THAT(down.warnings, ElementsAre(HasSubstr("points down (180 degrees from up)")));
-  const auto by_text =
-      read_text(smc_file({.component = "N45E", .integers = {{13, -32768}, {14, -32768}}}))[0];
-  EXPECT_DOUBLE_EQ(by_text.azimuth.value(), 45 * kRadiansPerDegree);
+  // What is level without an azimuth, and what is neither level nor upright, has that of its text.
+  for (const int from_up : {-32768, 90, 45}) {
+    const int from_north = from_up == 45 ? 20 : -32768;
+    const auto by_text = read_text(
+        smc_file({.component = "N45E", .integers = {{13, from_up}, {14, from_north}}}))[0];
+    EXPECT_DOUBLE_EQ(by_text.azimuth.value(), 45 * kRadiansPerDegree) << from_up;
+  }
   EXPECT_THAT(read_text(smc_file({.component = "  up"}))[0].warnings,
               ElementsAre(HasSubstr("says component 'up', its numbers say 90 degrees from up")));
 }

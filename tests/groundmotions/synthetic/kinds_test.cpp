@@ -49,6 +49,17 @@ TEST(SyntheticKinds, TakeSettings) {
   EXPECT_EQ(record.samples(), 1201);
 }
 
+TEST(SyntheticKinds, NoiseHasThePeakOfEachComponent) {
+  const Record record = make_record(synthetic_request(
+      "white_noise", {"pga_h1_g=0.3", "pga_h2_g=0.2", "pga_vertical_g=0.1", "duration_s=10"}));
+  for (const auto& [direction, peak] :
+       {std::pair{Direction::kH1, 0.3}, {Direction::kH2, 0.2}, {Direction::kVertical, 0.1}})
+    EXPECT_NEAR(record[direction]->acceleration.cwiseAbs().maxCoeff(), peak * kStandardGravity,
+                1e-12);
+  EXPECT_ERROR(make_record(synthetic_request("white_noise", {"duration_s=10", "taper_s=6"})),
+               "taper 6 s: must be > 0 and at most half the duration, 5 s");
+}
+
 // Default values: the middle of the noise is at 8 s, the pulse is 3 s long.
 TEST(SyntheticKinds, NearFaultIsStochasticMotionAndAPulseInItsMiddle) {
   const Record both = make_record(synthetic_request("near_fault", {"seed=4"}));

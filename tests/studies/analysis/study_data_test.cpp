@@ -4,6 +4,7 @@
 
 #include "engine/base/units.h"
 #include "tests/studies/analysis/small_study.h"
+#include "tests/studies/analysis/synthetic_runs.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -87,6 +88,33 @@ TEST_F(StudyDataTest, CloudsCensorWhatFellAndWhatStood) {
 TEST_F(StudyDataTest, NamesTheNearestMeasure) {
   const StudyData study = data({{0, 1, 0.2}});
   EXPECT_ERROR(study.measure("PGA h2"), "no intensity measure 'PGA h2'; did you mean 'PGA h1'?");
+}
+
+TEST_F(StudyDataTest, RecordsThatAreAtOneLevelEachAreASuiteByLevel) {
+  const auto by_level = [&](const std::vector<SmallRun>& runs) {
+    return data(runs).has_suites_by_level();
+  };
+  EXPECT_TRUE(by_level({{0, 1, 0.2}, {1, 1, 0.2}, {2, 2, 0.2}}));
+  EXPECT_FALSE(by_level({{0, 1, 0.2}, {1, 1, 0.2}, {1, 2, 0.2}}));
+  EXPECT_FALSE(by_level({{0, 1, 0.2}, {1, 1, 0.2}})) << "of one level all records are";
+}
+
+TEST_F(StudyDataTest, ARecordThatIsAtTwoLevelsIsOneGroup) {
+  const auto groups = [&](const std::vector<SyntheticRun>& runs) {
+    SyntheticRuns study = study_of_records(3, runs);
+    study.files = {"5a one.csv\n5b two.csv", "5a one.csv\n5c two.csv", "5a 1.csv\n5b 2.csv"};
+    study.write(folder_.file("r.h5"));
+    const StudyData read(folder_.file("r.h5"));
+    std::vector<std::size_t> found;
+    for (const auto& each : read.observations(0, 0, read.measure(""))) found.push_back(each.group);
+    for (const auto& each : read.cloud(0, 0, read.measure(""), 1e-4)) found.push_back(each.group);
+    return found;
+  };
+  EXPECT_THAT(groups({{0, 0, 1, 0.2}, {0, 1, 1, 0.2}, {0, 2, 2, 0.2}}),
+              ElementsAre(0, 1, 0, 0, 1, 0));
+  // Records that are at all levels are as many as the suite has.
+  EXPECT_THAT(groups({{0, 0, 1, 0.2}, {0, 0, 2, 0.2}, {0, 2, 2, 0.2}}),
+              ElementsAre(0, 0, 2, 0, 0, 2));
 }
 
 TEST_F(StudyDataTest, RefusesFilesOfSingleRuns) {

@@ -127,7 +127,7 @@ TEST(BadJob, ExplainsRecords) {
       errors_of_text(head),
       "a.toml:4:1: excitation.record: no components or too many; must have 'file' (one file "
       "with all components, or an array of files), or files for 'x', 'y', 'z', or 'synthetic', or, "
-      "in a study, 'suite'");
+      "in a study, 'suite' or 'suite_by_level'");
   EXPECT_EQ(
       errors_of_text(head + "file = \"no.csv\"\nunit = \"m/s\"\nscale = inf\ntime_step_s = 0\n"),
       "a.toml:5:8: excitation.record.file = \"no.csv\": no such file: no.csv\n"

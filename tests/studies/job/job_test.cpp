@@ -388,7 +388,8 @@ TEST(JobPage, HasEveryKeyTheReaderKnowsAndNoOther) {
             key != "excitation.building.floor" &&
             key != "excitation.building.rotation_factor");  // on pages of their own
   });
-  for (const char* key : {"file", "suite", "synthetic", "scale", "scale_to", "unit", "use"})
+  for (const char* key :
+       {"file", "suite", "suite_by_level", "synthetic", "scale", "scale_to", "unit", "use"})
     asked.erase(std::string("excitation.") +
                 key);  // refused, with the name of the table that has them
   asked.erase("item.payloads.load");

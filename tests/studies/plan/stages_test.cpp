@@ -105,13 +105,13 @@ TEST(Stages, UnitsAreThoseOfTheFirstOnceMore) {
 TEST(Stages, LevelsRestOnTheOutcomesOfAllUnitsBefore) {
   const SmallStudy study(small_job(kAdaptive));
   StageLevels levels(study.batch);
-  EXPECT_THAT(levels.of(0), ElementsAre(0.1 * 9.80665, 2 * 9.80665));
+  EXPECT_THAT(levels.of(study.plan.task(0)), ElementsAre(0.1 * 9.80665, 2 * 9.80665));
   const auto go_on = [] { return true; };
   std::vector<TaskResult> results;
   for (std::size_t stage = 0; stage < 2; ++stage) {
     for (std::size_t i = 0; i < 8; ++i) {
       const std::size_t index = 8 * stage + i;
-      const auto& of = levels.of(study.plan.task(index).configuration);
+      const std::vector<double> of = levels.of(study.plan.task(index));
       results.push_back(run_task(study.batch, index, go_on, {}, &of));
       ASSERT_EQ(results.back().runs.size(), 2u);
       for (std::size_t run = 0; run < 2; ++run) {
@@ -135,10 +135,10 @@ TEST(Stages, LevelsRestOnTheOutcomesOfAllUnitsBefore) {
       std::vector<statistics::Stripe> stripes;
       for (const auto& [im, stripe] : counted[configuration]) stripes.push_back(stripe);
       EXPECT_EQ(stripes.size(), 2 * (stage + 1));
-      EXPECT_EQ(levels.of(configuration), next_levels(stripes, 9.80665));
+      EXPECT_EQ(levels.of({.configuration = configuration}), next_levels(stripes, 9.80665));
     }
   }
-  EXPECT_NE(levels.of(0), levels.of(1)) << "brakes hold";
+  EXPECT_NE(levels.of({.configuration = 0}), levels.of({.configuration = 1})) << "brakes hold";
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "studies/statistics/censored_normal.h"
+#include "studies/statistics/special.h"
 #include "tests/studies/statistics/synthetic.h"
 #include "tests/support/expect_error.h"
 
@@ -77,6 +79,24 @@ TEST(IntensityTable, SufficiencyHoldsItsLevel) {
     }
     EXPECT_NEAR(found, 50, 31) << c.runs << " runs, censored above " << c.censored_above;
   }
+}
+
+// Of 7 records with 5 runs each: the coefficient over its standard error between records is
+// Student's t with 6 degrees of freedom.
+TEST(IntensityTable, SufficiencyOfFewRecordsHasTheirDegreesOfFreedom) {
+  const World world(35, 5, 11, 1e9);
+  Eigen::MatrixXd design(35, 3);
+  std::vector<CensoredValue> demands;
+  std::vector<std::size_t> records;
+  for (Eigen::Index i = 0; i < 35; ++i) {
+    const auto run = static_cast<std::size_t>(i);
+    design.row(i) << 1, std::log(world.velocity.values[run]), world.luck.values[run];
+    demands.push_back({std::log(world.demands[run].edp), std::log(world.demands[run].edp)});
+    records.push_back(run / 5);
+  }
+  const CensoredNormalFit fit = fit_censored_normal(design, demands, records);
+  const double t = fit.coefficients[2] / std::sqrt(fit.cluster_covariance(2, 2));
+  EXPECT_NEAR(world.rows()[0].sufficiency[1], 2 * student_survival(std::abs(t), 6), 1e-9);
 }
 
 TEST(IntensityTable, LeavesOutWhatIsUnknown) {

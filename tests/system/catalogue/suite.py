@@ -4,6 +4,7 @@ docs/catalogue/motions.md, the choice improves what it is given, and the motions
 usage: suite.py GURNEY SOURCE_DIR
 """
 
+import math
 import os
 import sys
 import tempfile
@@ -41,12 +42,23 @@ for marginal, density, low, high in (
     y = density(x)
     assert abs(y[x < marginal(0.5)].sum() / y.sum() - 0.5) < 1e-3
 
-# Each row of the file is the candidate of its seed.
-motions = suite.read_motions(os.path.join(scripts, "motions.csv"))
-for motion in motions:
-    number = int(motion["parameters"].split()[0].removeprefix("seed=")) - 1000
-    drawn = suite_candidates.candidate(target, number)
-    assert all(motion[key] == value for key, value in drawn.items()), f"{motion}\n{drawn}"
+
+
+def candidates(name, target):
+    """The motions of a file, each of which is the candidate of its seed."""
+    motions = suite.read_motions(os.path.join(scripts, name))
+    for motion in motions:
+        number = int(motion["parameters"].split()[0].removeprefix("seed=")) - 1000
+        drawn = suite_candidates.candidate(target, number)
+        assert all(motion[key] == value for key, value in drawn.items()), f"{motion}\n{drawn}"
+    return motions
+
+
+motions = candidates("motions.csv", target)
+
+
+def pulses_of(motions):
+    return sum(motion["kind"] == "near_fault" for motion in motions)
 
 
 def row_of(quality):
@@ -60,8 +72,19 @@ for name, chosen in (("the suite, 32 motions", matched), ("`motions_unmatched.cs
     line = f"| {name} | {row_of(suite.quality(chosen, target))} |"
     assert line in page, f"not on the page: {line}"
 assert list(suite.slowest_first(matched)) == list(range(len(motions)))
-pulses = sum(motion["kind"] == "near_fault" for motion in motions)
+pulses = pulses_of(motions)
 assert f"{pulses} of the {len(motions)} have a pulse" in page, pulses
+
+# The suites of single levels have the targets of their PGV.
+for level in ("0.15", "0.4", "0.8", "1.5"):
+    of_level = suite_target.target(gurney, float(level))
+    chosen = candidates(f"motions_by_level/{level}.csv", of_level)
+    with tempfile.TemporaryDirectory() as folder:
+        quality = suite.quality(suite.spectra(gurney, folder, chosen, CORES), of_level)
+    magnitude = sum(float(motion["magnitude"]) for motion in chosen) / len(chosen)
+    distance = math.exp(sum(math.log(float(motion["distance_km"])) for motion in chosen) / len(chosen))
+    line = f"| {level} | {magnitude:.1f} | {distance:.0f} | {pulses_of(chosen)} | {row_of(quality)} |"
+    assert line in page, f"not on the page: {line}"
 
 # Among spectra of the target itself the choice finds a set that is better than its start, without repeats.
 fresh = suite.simulated(target, 60, trials=1)
