@@ -87,10 +87,11 @@ std::vector<double> of_runs(const std::vector<double>& values,
 }
 
 /// Properties of the records that each of the runs has: the factor, and of their sources.
-std::vector<statistics::NamedValues> properties_of(const StudyReader& file,
+std::vector<statistics::NamedValues> properties_of(const StudyData& data,
                                                    const std::vector<std::size_t>& runs) {
+  const StudyReader& file = data.file();
   std::vector<statistics::NamedValues> all{
-      {"factor on the record", of_runs(file.numbers("runs/scale"), runs)}};
+      {"factor on the record", of_runs(data.factors_on_records(), runs)}};
   for (const char* name : {"magnitude", "distance"})
     if (const std::string column = std::string("runs/") + name; file.has_column(column))
       all.push_back({name, of_runs(file.numbers(column), runs)});
@@ -140,7 +141,7 @@ MeasureChoice rank_measures(const ConfigurationView& side, std::size_t state, in
   for (const std::string& name : data.measures())
     if (std::ranges::find(known, name, &RunMeasure::name) == known.end())
       choice.unknown.push_back(name);
-  const std::vector<statistics::NamedValues> properties = properties_of(data.file(), runs);
+  const std::vector<statistics::NamedValues> properties = properties_of(data, runs);
   for (const statistics::NamedValues& each : properties) choice.properties.push_back(each.name);
   const std::vector<statistics::IntensityRow> rows =
       statistics::compare_intensities(demands, measures, properties);

@@ -54,7 +54,7 @@ std::string ScaleFactors::text() const {
 ScaleFactors scale_factors(const StudyData& data, std::size_t configuration) {
   ScaleFactors factors;
   if (!has_records(data)) return factors;
-  const std::vector<double> scales = data.file().numbers("runs/scale");
+  const std::vector<double> scales = data.factors_on_records();
   for (const std::size_t run : data.runs_of(configuration))
     factors.add(data.record_of(run), scales[run]);
   return factors;
@@ -63,12 +63,8 @@ ScaleFactors scale_factors(const StudyData& data, std::size_t configuration) {
 ScaleFactors scale_factors(const StudyData& data) {
   ScaleFactors factors;
   if (!has_records(data)) return factors;
-  const std::vector<double> scales = data.file().numbers("runs/scale");
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
-  for (std::size_t run = 0; run < scales.size(); ++run) {
-    const std::pair key{data.set_of(run), data.record_of(run)};
-    factors.add(numbers.try_emplace(key, numbers.size()).first->second, scales[run]);
-  }
+  const std::vector<double> scales = data.factors_on_records();
+  for (std::size_t run = 0; run < scales.size(); ++run) factors.add(data.row_of(run), scales[run]);
   return factors;
 }
 

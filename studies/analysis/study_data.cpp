@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "engine/base/error.h"
+#include "engine/base/number_text.h"
+#include "engine/base/printable.h"
 #include "engine/config/document.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
@@ -143,11 +145,15 @@ StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
     else
       runs_.at(of).push_back(run);
   }
-  set_.resize(record_.size());
+  row_ = record_;
   if (file_->has("motions")) {
+    std::map<std::string, std::size_t> first;  // row of each set
+    const auto sets = file_->strings("records/set");
+    for (std::size_t row = 0; row < sets.size(); ++row) first.emplace(sets[row], row);
     const auto motion = file_->numbers("runs/motion"), set = file_->numbers("motions/set");
-    for (std::size_t run = 0; run < set_.size(); ++run)
-      set_[run] = static_cast<std::size_t>(set.at(static_cast<std::size_t>(motion[run])));
+    for (std::size_t run = 0; run < row_.size(); ++run)
+      row_[run] +=
+          first.at(std::to_string(static_cast<int>(set.at(static_cast<std::size_t>(motion[run])))));
   }
   suites_by_level_ = each_record_has_one_of_several_levels();
   group_ = record_;
@@ -157,28 +163,38 @@ StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
 bool StudyData::each_record_has_one_of_several_levels() const {
   if (study_.intensity.kind != IntensityPlan::Kind::kStripes) return false;
   const std::vector<double> intensities = file_->numbers("runs/intensity");
-  std::map<std::pair<std::size_t, std::size_t>, double> known;
-  for (std::size_t run = 0; run < record_.size(); ++run) {
-    const auto of_record = known.emplace(std::pair(set_[run], record_[run]), intensities[run]);
-    if (of_record.first->second != intensities[run]) return false;
-  }
+  std::map<std::size_t, double> of_row;
+  for (std::size_t run = 0; run < row_.size(); ++run)
+    if (of_row.emplace(row_[run], intensities[run]).first->second != intensities[run]) return false;
   return std::ranges::any_of(intensities, [&](double each) { return each != intensities[0]; });
 }
 
 void StudyData::join_same_files() {
-  const auto sets = file_->strings("records/set");
-  std::vector<std::string> files = file_->strings("records/files");
-  for (std::string& each : files) each = sums_of(each);
-  std::map<std::string, std::vector<std::size_t>> first_of;  // by set, for each of its records
-  for (std::size_t row = 0; row < sets.size(); ++row) {
-    std::vector<std::size_t>& first = first_of[sets[row]];
-    const std::size_t begin = row - first.size();  // rows of a set follow each other
+  const auto sets = file_->strings("records/set"), files = file_->strings("records/files");
+  std::vector<std::size_t> first_same;  // row of the same set, for each row
+  for (std::size_t row = 0, begin = 0; row < sets.size(); ++row) {
+    if (sets[row] != sets[begin]) begin = row;  // rows of a set follow each other
     std::size_t same = files[row].empty() ? row : begin;
-    while (files[same] != files[row]) ++same;
-    first.push_back(same - begin);
+    while (sums_of(files[same]) != sums_of(files[row])) ++same;
+    first_same.push_back(same);
   }
   for (std::size_t run = 0; run < group_.size(); ++run)
-    group_[run] = first_of.at(std::to_string(set_[run])).at(record_[run]);
+    group_[run] -= row_[run] - first_same.at(row_[run]);
+}
+
+std::vector<double> StudyData::factors_on_records() const {
+  std::vector<double> factors = file_->numbers("runs/scale");
+  if (!file_->has_column("records/scale")) return factors;
+  const std::vector<std::string> stated = file_->strings("records/scale");
+  for (std::size_t run = 0; run < factors.size(); ++run) {
+    const std::string& text = stated.at(row_[run]);
+    const std::optional<double> scale = number(text);
+    require(scale && *scale > 0 && std::isfinite(*scale),
+            fmt::format("{}: /records/scale[{}] = '{}': must be a number > 0", file_->path(),
+                        row_[run], printable(text)));
+    factors[run] *= *scale;
+  }
+  return factors;
 }
 
 std::vector<std::string> StudyData::measures() const {

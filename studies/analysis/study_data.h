@@ -95,8 +95,12 @@ class StudyData {
 
   std::size_t record_of(std::size_t run) const { return record_[run]; }
 
-  /// Set of records that the run's configuration has; its record is counted within.
-  std::size_t set_of(std::size_t run) const { return set_[run]; }
+  /// Row of /records of a run's record; record_of() counts within the set of its configuration.
+  std::size_t row_of(std::size_t run) const { return row_[run]; }
+
+  /// Factors of all runs on the records as they were recorded: that of the study times that of the
+  /// job or its list, which files of earlier programs do not state.
+  std::vector<double> factors_on_records() const;
 
   /// Whether each of several levels has a suite of its own: a record has runs at one level only.
   bool has_suites_by_level() const { return suites_by_level_; }
@@ -144,7 +148,7 @@ class StudyData {
   Assessment assessment_;
   std::vector<std::string> configurations_;
   std::vector<std::vector<std::size_t>> runs_;
-  std::vector<std::size_t> failed_, record_, set_;
+  std::vector<std::size_t> failed_, record_, row_;
   bool suites_by_level_ = false;
   std::vector<std::size_t> group_;  ///< of each run: its record, or the first of the same files
 };

@@ -21,9 +21,9 @@ FELL = ("something fell", 'event = "fell"')
 TOPPLED = ("something toppled", 'event = "toppled"')
 DRAWER = ("a drawer or tray 50 mm open", 'demand = "peak_travel"\nabove = 0.05\nunit = "m"')
 DOOR = ("a door or rail 20 degrees open", 'demand = "peak_swing"\nabove = 20\nunit = "deg"')
-# Or the item overturns, which ends its run.
+# Losses by limit state; an item that overturns has them too, as its run ends there.
 LOST = {FELL: "contents fall", TOPPLED: "contents topple", DRAWER: "a drawer opens", DOOR: "a door or rail opens"}
-# By item its variant, what it can lose, and its sensitive point: on which of its parts, if not on its chassis.
+# Variants by item: the name, what it can lose, and the sensitive point, on its chassis ("") or on one of its parts.
 VARIANTS = {
     "crash_cart": ("drawers and defibrillator", (FELL, TOPPLED, DRAWER), ("", "defibrillator")),
     "hospital_bed": ("patient on mattress", (), ("/patient", "patient's head")),

@@ -112,7 +112,7 @@ def action_map(advice, floors, names, place):
 
 
 def tether_table(rows, names):
-    """What straps do in the bay: loss, chance of lost service, hits and falls of all runs, way, turn, tension."""
+    """Table of what straps do in the bay: loss, chance of lost service, hits and falls of all runs, way, turn, tension."""
     lines = ["| item | held by | days | lost [%] | hit at 0.8 m/s | overturned | way [m] | turn [deg] | tension [kN] | broken |",
              "| --- " * 10 + "|"]
 

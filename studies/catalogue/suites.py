@@ -38,7 +38,7 @@ def pairs(first, second):
 
 
 def summary(rows, keys=("brakes", "limit_state")):
-    """Of rows with equal keys: pairs, geometric mean and ends of the ratios, and how many of the other medians lie in
+    """Summaries of rows with equal keys: pairs, geometric mean and ends of the ratios, and how many of the other medians lie in
     the interval of the shipped one."""
     groups = {}
     for row in rows:

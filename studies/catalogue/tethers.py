@@ -24,7 +24,7 @@ HEIGHT = 0.7  # of the strap over that of the item, an assumption between 0.5 an
 SLACK = 0.05  # [m] beyond the distance to the anchor, an assumption between 0 and 0.2
 BESIDE = 0.2  # [m] from the corners of the item to the anchors of two straps, along the wall
 HELD = ("nothing", "brakes", "one strap", "two straps", "one strap, brakes")
-# Of the runs at a PGV of SPEED: table and column of the results, and the unit in SI.
+# Quantities of the runs at a PGV of SPEED: table and column of the results, and the unit in SI.
 DEMANDS = {"tension_n": ("tethers", "peak_tension", 1), "displacement_m": ("items", "peak_displacement", 1),
            "yaw_deg": ("items", "peak_yaw", math.radians(1))}
 COLUMNS = ["item", "held", "runs", "overturned", "hit at 0.8 m/s", "failed", *(
@@ -80,8 +80,8 @@ def exported(gurney, results):
 
 
 def demands(gurney, results):
-    """By configuration: what the runs at a PGV of SPEED have of each quantity of DEMANDS, increasing, and how many
-    straps broke in all runs."""
+    """Values of each quantity of DEMANDS in the runs at a PGV of SPEED, increasing, and the number of straps that
+    broke in all runs, both by configuration."""
     tables = exported(gurney, results)
     names = {row["row"]: row["name"] for row in tables["configurations"]}
     runs = {row["run"]: row for row in tables["runs"]}

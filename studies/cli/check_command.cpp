@@ -79,7 +79,8 @@ void add_scale_factors(Answer& answer, const study::Batch& batch) {
     for (std::size_t i = 0; i < motions.size(); ++i, ++number)
       for (const double level : motions.levels(i))
         if (!motions.name(i).empty() && (!ida || level == plan.first))
-          factors.add(number, stated ? level : motions.scale_for(i, level));
+          factors.add(number,
+                      motions.stated_scale(i) * (stated ? level : motions.scale_for(i, level)));
   }
   if (!factors.any()) return;
   answer.known.add(report::scale_factor_findings(factors, ida ? " (first level of the IDA)" : ""));

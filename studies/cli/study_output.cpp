@@ -47,7 +47,8 @@ class FactorsOfTasks {
     const study::Task task = batch_.plan.task(result.task);
     const std::pair key{batch_.motions.index_of(task.configuration), task.record};
     const std::size_t number = numbers_.try_emplace(key, numbers_.size()).first->second;
-    for (const study::StudyRun& run : result.runs) factors_.add(number, run.scale);
+    const double stated = batch_.motions.set_of(task.configuration).stated_scale(task.record);
+    for (const study::StudyRun& run : result.runs) factors_.add(number, stated * run.scale);
   }
 
   const study::ScaleFactors& factors() const { return factors_; }
@@ -246,8 +247,8 @@ std::vector<std::string> scale_warnings(const study::Batch& batch) {
                                  ? plan.first
                                  : motions.levels(i).back();  // they increase
       const bool is_factor = plan.kind == study::IntensityPlan::Kind::kScales;
-      const std::string warning =
-          groundmotions::dubious_factor(is_factor ? highest : motions.scale_for(i, highest));
+      const std::string warning = groundmotions::dubious_factor(
+          motions.stated_scale(i) * (is_factor ? highest : motions.scale_for(i, highest)));
       if (!warning.empty()) warnings.push_back(motions.name(i) + ": " + warning);
     }
   }

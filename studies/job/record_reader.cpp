@@ -46,7 +46,7 @@ fs::path checked_path(Table& table, const std::string& key, const std::string& n
 
 /// A file, a folder, or a pattern such as "recs/*.AT2".
 fs::path suite_path(Table& table, const std::string& key, const std::string& name) {
-  if (name.empty()) {  // or no text, which its reader has noted
+  if (name.empty()) {  // an entry that is no text has been noted
     if (table.document().errors() == 0) table.note(key, " has \"\": must name files");
     return {};
   }

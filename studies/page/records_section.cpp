@@ -34,21 +34,6 @@ findings::Cell cell_of(const Span& span, const findings::Format& format) {
 /// A record as its name and its files: sets of ground motions may share it.
 using Key = std::pair<std::string, std::string>;
 
-/// For each run the row of /records that it shook with.
-std::vector<std::size_t> record_of_runs(const study::StudyReader& file) {
-  const auto sets = file.strings("records/set");
-  std::map<std::string, std::vector<std::size_t>> rows_of_set;
-  for (std::size_t row = 0; row < sets.size(); ++row) rows_of_set[sets[row]].push_back(row);
-  const auto motion = file.numbers("runs/motion"), record = file.numbers("runs/record"),
-             set = file.numbers("motions/set");
-  std::vector<std::size_t> rows;
-  for (std::size_t run = 0; run < motion.size(); ++run) {
-    const int of_set = static_cast<int>(set[static_cast<std::size_t>(motion[run])]);
-    rows.push_back(rows_of_set[std::to_string(of_set)].at(static_cast<std::size_t>(record[run])));
-  }
-  return rows;
-}
-
 std::string short_hashes(const std::vector<std::string>& files) {
   std::vector<std::string> names;
   for (const std::string& each : files) {  // "SHA-256 name"
@@ -89,12 +74,12 @@ Section study_records(const StudyPage& page) {
   if (page.overview.file.motions.empty())
     return {"records", "Records", paragraph("The floor is at rest.")};
   std::vector<study::RunMeasure> measures = study::known_measures(page.data);
-  const auto rows = record_of_runs(file);
   const auto names = file.strings("records/name"), files = file.strings("records/files");
   const auto scales = file.numbers("runs/scale");
   std::map<Key, std::vector<Span>> spans;  // the factor, then the measures
-  for (std::size_t run = 0; run < rows.size(); ++run) {
-    std::vector<Span>& of = spans[{names[rows[run]], files[rows[run]]}];
+  for (std::size_t run = 0; run < scales.size(); ++run) {
+    const std::size_t row = page.data.row_of(run);
+    std::vector<Span>& of = spans[{names[row], files[row]}];
     of.resize(measures.size() + 1);
     of[0].add(scales[run]);
     for (std::size_t i = 0; i < measures.size(); ++i) of[i + 1].add(measures[i].values[run]);

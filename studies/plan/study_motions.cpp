@@ -210,12 +210,11 @@ FloorRecords::Shared MotionSet::ground_record(std::size_t record) const {
 groundmotions::Record MotionSet::read(std::size_t record) const {
   if (!request_) return {};
   RecordRequest request = *request_;
-  double scale = request.scale;
+  const double scale = stated_scale(record);
   request.suite.clear();
   if (!suite_.empty()) {
     request.files = suite_[record].files;
     request.options = suite_[record].options;
-    scale *= suite_[record].scale;
   } else if (names_.size() > 1) {
     request.synthetic->values["seed"] = static_cast<double>(record + 1);
   }
@@ -286,6 +285,10 @@ std::vector<double> MotionSet::levels(std::size_t record) const {
   for (std::size_t step = 1; step < kStepsOfIda; ++step)
     values.push_back(values.back() + static_cast<double>(step) * intensity_.increment);
   return values;
+}
+
+double MotionSet::stated_scale(std::size_t record) const {
+  return (request_ ? request_->scale : 1) * (suite_.empty() ? 1 : suite_[record].scale);
 }
 
 double MotionSet::scale_for(std::size_t record, double value) const {

@@ -67,7 +67,7 @@ struct GroundMotion {
   groundmotions::SourceFacts source;
 };
 
-constexpr std::size_t kStepsOfIda = 4;  ///< what of an IDA is known before it runs
+constexpr std::size_t kStepsOfIda = 4;  ///< steps of an IDA whose values are known before it runs
 
 /// The records of all configurations that shake alike.
 class MotionSet {
@@ -89,9 +89,12 @@ class MotionSet {
   FloorRecords::Shared ground_record(std::size_t record) const;
 
   /// Values of the study's measure, or factors, at which a record is run in the first stage: all
-  /// levels of the plan, or of a suite by level the one it belongs to. Of an IDA those that its
-  /// first kStepsOfIda steps try.
+  /// levels of the plan, or of a suite by level the one it belongs to. For an IDA they are those of
+  /// its first kStepsOfIda steps.
   std::vector<double> levels(std::size_t record) const;
+
+  /// Factor that the job or its list states of a record; the study scales the product.
+  double stated_scale(std::size_t record) const;
 
   /// Factor on the ground motion that gives a value of the study's measure.
   double scale_for(std::size_t record, double value) const;

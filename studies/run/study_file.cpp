@@ -452,12 +452,15 @@ void add_records(Hdf5Writer& file, const Batch& batch) {
   struct RecordRow {
     std::size_t set;
     std::string name;
+    double scale;
     const GroundMotion* motion;
   };
   std::vector<RecordRow> rows;
-  for (std::size_t set = 0; set < batch.motions.sets(); ++set)
-    for (std::size_t i = 0; i < batch.motions.set(set).size(); ++i)
-      rows.push_back({set, batch.motions.set(set).name(i), &batch.motions.set(set).ground(i)});
+  for (std::size_t set = 0; set < batch.motions.sets(); ++set) {
+    const MotionSet& of_set = batch.motions.set(set);
+    for (std::size_t i = 0; i < of_set.size(); ++i)
+      rows.push_back({set, of_set.name(i), of_set.stated_scale(i), &of_set.ground(i)});
+  }
   const auto lines = [](const std::vector<std::string>& list) {
     return fmt::format("{}", fmt::join(list, "\n"));
   };
@@ -466,6 +469,8 @@ void add_records(Hdf5Writer& file, const Batch& batch) {
       {{"set", "set of ground motions", [](auto& r) { return std::to_string(r.set); }},
        {"name", "name of the record; empty: the floor is at rest", &RecordRow::name},
        {"files", "SHA-256 and name of each of its files", [](auto& r) { return r.motion->files; }},
+       {"scale", "factor that the job or its list states; that of runs is on the product",
+        [](auto& r) { return fmt::format("{}", r.scale); }},
        {"processing", "what was done to it, step by step",
         [&](auto& r) { return lines(r.motion->processing); }},
        {"warnings", "what its reading warned of",

@@ -153,7 +153,7 @@ TEST(ImpactLog, EndsAnImpactThatComesToRest) {
   EXPECT_NEAR(impacts[0].impulse, kStep * 4 * 10, 1e-12);
 }
 
-// Faster than half the limit, either way: it lasts for as long as it touches.
+// An impact faster than half the limit, either way, lasts for as long as it touches.
 TEST(ImpactLog, AnImpactThatStillMovesLasts) {
   for (const double speed : {0.03, -0.03}) {
     Log log;

@@ -98,7 +98,7 @@ TEST(UsgsSmc, KnowsUpAndDown) {
   expect_the_motion(down, -1);
   EXPECT_EQ(down.direction, Direction::kVertical);
   EXPECT_THAT(down.warnings, ElementsAre(HasSubstr("points down (180 degrees from up)")));
-  // What is level without an azimuth, and what is neither level nor upright, has that of its text.
+  // A component that is level without an azimuth, or neither level nor upright, has that of its text.
   for (const int from_up : {-32768, 90, 45}) {
     const int from_north = from_up == 45 ? 20 : -32768;
     const auto by_text = read_text(

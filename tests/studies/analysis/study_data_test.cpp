@@ -117,6 +117,21 @@ TEST_F(StudyDataTest, ARecordThatIsAtTwoLevelsIsOneGroup) {
               ElementsAre(0, 0, 2, 0, 0, 2));
 }
 
+// The factor of a run stands on that of a list, which files of earlier programs do not state.
+TEST_F(StudyDataTest, FactorsAreOnTheRecordsAsTheyWereRecorded) {
+  const auto factors = [&](const std::vector<std::string>& scales) {
+    SyntheticRuns study = study_of_records(2, {{0, 0, 1, 0.2}, {0, 1, 1, 0.2}, {0, 1, 2, 0.2}});
+    study.scales = scales;
+    study.write(folder_.file("r.h5"));
+    return StudyData(folder_.file("r.h5")).factors_on_records();
+  };
+  EXPECT_THAT(factors({}), ElementsAre(1, 1, 2));
+  EXPECT_THAT(factors({"3", "0.25"}), ElementsAre(3, 0.25, 0.5));
+  for (const std::string bad : {"x", "0", ""})
+    EXPECT_ERROR(factors({"3", bad}),
+                 "r.h5: /records/scale[1] = '" + bad + "': must be a number > 0");
+}
+
 TEST_F(StudyDataTest, RefusesFilesOfSingleRuns) {
   Hdf5Writer file(folder_.file("one.h5"));
   file.set_attribute("/", "filetype", std::string("gurney-results"));

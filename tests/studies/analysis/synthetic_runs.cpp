@@ -85,12 +85,14 @@ void SyntheticRuns::write(const std::string& path) const {
     file.set_attribute("/", name, text);
   file.set_attribute("/", "format_version", std::int64_t{format_version});
   add_texts(file, "configurations", {{"name", configurations}, {"brakes", configurations}});
-  add_texts(file, "records",
-            {{"set", std::vector<std::string>(records.size(), "0")},
-             {"name", records},
-             {"files", files.empty() ? records : files},
-             {"processing", std::vector<std::string>(records.size())},
-             {"warnings", std::vector<std::string>(records.size())}});
+  std::map<std::string, std::vector<std::string>> of_records{
+      {"set", std::vector<std::string>(records.size(), "0")},
+      {"name", records},
+      {"files", files.empty() ? records : files},
+      {"processing", std::vector<std::string>(records.size())},
+      {"warnings", std::vector<std::string>(records.size())}};
+  if (!scales.empty()) of_records.emplace("scale", scales);
+  add_texts(file, "records", of_records);
   add_texts(file, "data_files", {{"name", {"casters/a.toml"}}, {"sha256", {caster_sha256}}});
   std::vector<std::string> numbers, keys, values;
   for (std::size_t i = 0; i < configurations.size(); ++i) {

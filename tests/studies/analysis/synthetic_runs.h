@@ -38,6 +38,7 @@ struct SyntheticRuns {
   std::string commit = "abc";
   int format_version = kStudyFormatVersion;
   std::string caster_sha256 = "c1";
+  std::vector<std::string> scales = {};  ///< of the records; empty: the file has no such column
 
   void write(const std::string& path) const;
 };

@@ -57,7 +57,7 @@ class SuiteByLevel : public testing::Test {
                                        std::string(name == "a" ? "1" : "2") +
                                        "\n0.02,2\n0.03,1\n0.04,0\n");
     folder_.write("low.csv", "name, file\na, a.csv\n");
-    folder_.write("high.csv", "name, file\na, a.csv\nb, b.csv\n");
+    folder_.write("high.csv", "name, file, scale\na, a.csv, \nb, b.csv, 3\n");
   }
 
   std::string job(const std::string& suites, const std::string& intensity,
@@ -83,6 +83,8 @@ TEST_F(SuiteByLevel, EachRecordIsRunAtItsOwnLevelOnly) {
   EXPECT_EQ(set.name(0), "a at 0.1 g");
   EXPECT_EQ(set.name(1), "a at 0.3 g");
   EXPECT_EQ(set.name(2), "b at 0.3 g");
+  EXPECT_EQ(set.stated_scale(1), 1);
+  EXPECT_EQ(set.stated_scale(2), 3);
   const std::vector<double>& levels = study.study().intensity.levels;
   EXPECT_THAT(set.levels(0), testing::ElementsAre(levels[0]));
   EXPECT_THAT(set.levels(2), testing::ElementsAre(levels[1]));

@@ -81,8 +81,8 @@ TEST(IntensityTable, SufficiencyHoldsItsLevel) {
   }
 }
 
-// Of 7 records with 5 runs each: the coefficient over its standard error between records is
-// Student's t with 6 degrees of freedom.
+// The coefficient over its standard error between records is Student's t: 7 records of 5 runs each
+// have 6 degrees of freedom.
 TEST(IntensityTable, SufficiencyOfFewRecordsHasTheirDegreesOfFreedom) {
   const World world(35, 5, 11, 1e9);
   Eigen::MatrixXd design(35, 3);
