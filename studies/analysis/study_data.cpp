@@ -147,13 +147,14 @@ StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
   }
   row_ = record_;
   if (file_->has("motions")) {
-    std::map<std::string, std::size_t> first;  // row of each set
     const auto sets = file_->strings("records/set");
-    for (std::size_t row = 0; row < sets.size(); ++row) first.emplace(sets[row], row);
+    std::vector<std::size_t> first;  // row of each set; rows of a set follow each other
+    for (std::size_t row = 0; row < sets.size(); ++row)
+      if (row == 0 || sets[row] != sets[row - 1]) first.push_back(row);
     const auto motion = file_->numbers("runs/motion"), set = file_->numbers("motions/set");
     for (std::size_t run = 0; run < row_.size(); ++run)
       row_[run] +=
-          first.at(std::to_string(static_cast<int>(set.at(static_cast<std::size_t>(motion[run])))));
+          first.at(static_cast<std::size_t>(set.at(static_cast<std::size_t>(motion[run]))));
   }
   suites_by_level_ = each_record_has_one_of_several_levels();
   group_ = record_;
@@ -163,19 +164,23 @@ StudyData::StudyData(const std::string& path, const AssessmentRequest& request,
 bool StudyData::each_record_has_one_of_several_levels() const {
   if (study_.intensity.kind != IntensityPlan::Kind::kStripes) return false;
   const std::vector<double> intensities = file_->numbers("runs/intensity");
+  if (std::ranges::all_of(intensities, [&](double each) { return each == intensities[0]; }))
+    return false;
   std::map<std::size_t, double> of_row;
   for (std::size_t run = 0; run < row_.size(); ++run)
     if (of_row.emplace(row_[run], intensities[run]).first->second != intensities[run]) return false;
-  return std::ranges::any_of(intensities, [&](double each) { return each != intensities[0]; });
+  return true;
 }
 
 void StudyData::join_same_files() {
-  const auto sets = file_->strings("records/set"), files = file_->strings("records/files");
+  const auto sets = file_->strings("records/set");
+  std::vector<std::string> sums;  // checksums of the files of each record
+  for (const std::string& files : file_->strings("records/files")) sums.push_back(sums_of(files));
   std::vector<std::size_t> first_same;  // row of the same set, for each row
   for (std::size_t row = 0, begin = 0; row < sets.size(); ++row) {
-    if (sets[row] != sets[begin]) begin = row;  // rows of a set follow each other
-    std::size_t same = files[row].empty() ? row : begin;
-    while (sums_of(files[same]) != sums_of(files[row])) ++same;
+    if (sets[row] != sets[begin]) begin = row;
+    std::size_t same = sums[row].empty() ? row : begin;
+    while (sums[same] != sums[row]) ++same;
     first_same.push_back(same);
   }
   for (std::size_t run = 0; run < group_.size(); ++run)

@@ -137,8 +137,8 @@ TEST_P(OneBody, PushesAsItsPartsTogether) {
   EXPECT_GT(std::abs(rigid.items[block].demands.residual_yaw), 0.05);
   EXPECT_NEAR(merged.items[block].demands.residual_yaw, rigid.items[block].demands.residual_yaw,
               1e-5);
-  // Of the same equations; blocks in another order make some of them serve longer. With a wrong matrix it takes a fifth
-  // more.
+  // Both runs solve the same equations; blocks in another order make some matrices serve longer. A wrong matrix takes a
+  // fifth more iterations.
   EXPECT_NEAR(merged.quality.newton_iterations, rigid.quality.newton_iterations,
               0.1 * rigid.quality.newton_iterations);
 }
@@ -172,7 +172,7 @@ TEST(Riders, MoveAsWithoutRiding) {
     EXPECT_EQ(a.impacts, 0) << i;
   }
   EXPECT_GT(merged.items[0].demands.peak_displacement, 0.02);
-  // What rides does not move at all on what carries it.
+  // A body that rides does not move at all on its carrier.
   EXPECT_LT(merged.items[2].demands.peak_slide, freely.items[2].demands.peak_slide);
   EXPECT_LT(freely.items[2].demands.peak_slide, 1e-5);
   EXPECT_LT(merged.quality.newton_iterations, 0.6 * freely.quality.newton_iterations);
@@ -477,7 +477,7 @@ TEST(Riders, TakeAlongWhatRidesOnThem) {
   EXPECT_GT(response.items[1].demands.peak_slide, 1e-3);
   EXPECT_LT(response.items[3].demands.peak_slide, 1e-4);
   EXPECT_LT(response.quality.energy_closure, 1e-4);
-  // What the springs below them took while they rode is no error of the integration.
+  // The work of the springs below them while they rode is no error of the integration.
   EXPECT_LT(std::abs(response.quality.numerical_loss), 0.02);
 }
 
