@@ -8,8 +8,8 @@
 namespace gurney {
 
 /// Rotation of a floor: right-handed about its three axes, in rows; it rocks about the horizontal ones
-/// and yaws about the vertical. Both histories are piecewise linear; the second one is given, not the derivative of the first, which would be a
-/// row of impulses.
+/// and yaws about the vertical. Both histories are piecewise linear; the second one is given, not
+/// the derivative of the first, which would be a row of impulses.
 struct FloorRotation {
   Eigen::Matrix3Xd angle;         ///< small: sin(angle) = angle, cos(angle) = 1 [rad]
   Eigen::Matrix3Xd acceleration;  ///< second derivative of the angle [rad/s2]

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "engine/base/utf8.h"
 
@@ -57,6 +58,20 @@ std::string printable(std::string_view text) {
       for (const char byte : text.substr(0, bytes))
         result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
     text.remove_prefix(bytes);
+  }
+  return result;
+}
+
+std::string xml_text(std::string_view text) {
+  constexpr std::string_view kMarkup = "&<>\"'";
+  constexpr std::array kEntities = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
+  std::string result;
+  for (const char c : printable(text)) {
+    const std::size_t at = kMarkup.find(c);
+    if (at == std::string_view::npos)
+      result += c;
+    else
+      result += kEntities[at];
   }
   return result;
 }

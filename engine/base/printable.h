@@ -13,6 +13,9 @@ std::size_t find_control_character(std::string_view text);
 /// terminal shows it and does not obey it, and the result is text for XML and JSON.
 std::string printable(std::string_view text);
 
+/// printable(), with the five characters of markup as entities: text and attribute values of HTML, XML and SVG.
+std::string xml_text(std::string_view text);
+
 /// Each line of more than 4000 bytes without its middle, of which the length is stated: messages
 /// quote names and values of files.
 std::string shortened(std::string_view lines);

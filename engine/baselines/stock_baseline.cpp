@@ -1,5 +1,7 @@
 #include "engine/baselines/stock_baseline.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -29,10 +31,16 @@ void fill(double duration, const std::vector<double>& normal, const State& befor
   }
 }
 
+/// @throws Error where a job has what these baselines do not know
+void require_known(bool known, const char* limits) {
+  require(known,
+          fmt::format("the stock Bullet baselines know {}; use solver = \"implicit\" for this job",
+                      limits));
+}
+
 bool is_free(const Fixture& fixture) {
-  for (const Guide& guide : fixture.guides)
-    if (guide.kind != Guide::Kind::kFree) return false;
-  return true;
+  return std::ranges::all_of(fixture.guides,
+                             [](const Guide& guide) { return guide.kind == Guide::Kind::kFree; });
 }
 
 bool of_boxes(const std::vector<RoomShape>& room) {
@@ -46,27 +54,19 @@ Response simulate_on_stock_bullet(const Scene& scene, const FloorMotion& floor,
                                   const SimulationSettings& settings, StockBullet choice) {
   validate(scene);
   validate(settings);
-  require((scene.room.empty() || (!choice.paper && of_boxes(scene.room))) &&
-              scene.tethers.empty() && scene.zones.empty() && scene.items.size() == 1 &&
-              !scene.items[0].model.casters.empty(),
-          "the stock Bullet baselines know one item on casters, no tethers and zones, and of rooms "
-          "boxes only (the paper's model none); use solver = \"implicit\" for this job");
+  require_known((scene.room.empty() || (!choice.paper && of_boxes(scene.room))) &&
+                    scene.tethers.empty() && scene.zones.empty() && scene.items.size() == 1 &&
+                    !scene.items[0].model.casters.empty(),
+                "one item on casters, no tethers and zones, and of rooms boxes only (the paper's "
+                "model none)");
   const PlacedItem& item = scene.items.front();
-  require(
-      std::ranges::all_of(item.model.shape, &BodyShape::is_box),
-      "the stock Bullet baselines know items of boxes only, no cylinders, spheres and hulls; use "
-      "solver = \"implicit\" for this job");
-  require(is_free(item.fixture) && loads_of<DropWeight>(item.loads).empty() &&
-              loads_of<Blocks>(item.loads).empty(),
-          "the stock Bullet baselines know no drop weights, blocks or fixtures; use solver = "
-          "\"implicit\" for this job");
-  require(scene.joints.empty(),
-          "the stock Bullet baselines know no items with parts; use solver = \"implicit\" for this "
-          "job");
-  require(!floor.rotates(),
-          "the stock Bullet baselines know no rotation of the floor; use solver = \"implicit\" for "
-          "this "
-          "job");
+  require_known(std::ranges::all_of(item.model.shape, &BodyShape::is_box),
+                "items of boxes only, no cylinders, spheres and hulls");
+  require_known(is_free(item.fixture) && loads_of<DropWeight>(item.loads).empty() &&
+                    loads_of<Blocks>(item.loads).empty(),
+                "no drop weights, blocks or fixtures");
+  require_known(scene.joints.empty(), "no items with parts");
+  require_known(!floor.rotates(), "no rotation of the floor");
   const Assembly assembly(scene);
   const Mechanism& mechanism = assembly.items[0];
   SceneState scene_state;

@@ -1,5 +1,6 @@
 #include "engine/solver/assembly.h"
 
+#include "engine/base/append_all.h"
 #include "engine/base/units.h"
 
 namespace gurney {
@@ -62,7 +63,7 @@ std::vector<double> Assembly::breakpoints() const {
   std::vector<double> times;
   for (const Mechanism& item : items) {
     const std::vector<double> of_item = item.loads.breakpoints();
-    times.insert(times.end(), of_item.begin(), of_item.end());
+    append_all(times, of_item);
   }
   return times;
 }

@@ -7,7 +7,8 @@
 
 namespace gurney {
 
-/// Items that may touch each other in a step, hang on each other or ride on each other: they are solved together, all others apart.
+/// Items that may touch each other in a step, hang on each other or ride on each other: they are
+/// solved together, all others apart.
 struct Island {
   std::vector<std::size_t> items;                  ///< indices in Scene::items, increasing
   std::size_t first_contact = 0, end_contact = 0;  ///< theirs, in SceneState::contacts

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/append_all.h"
 #include "engine/solver/quadrature.h"
 
 namespace gurney {
@@ -90,8 +91,7 @@ LoadsState Loads::initial_state() const {
 
 std::vector<double> Loads::breakpoints() const {
   std::vector<double> times;
-  for (const auto& f : forces_)
-    times.insert(times.end(), f.table.times().begin(), f.table.times().end());
+  for (const auto& f : forces_) append_all(times, f.table.times());
   for (const auto& b : blocks_) times.push_back(b.release_time);
   return times;
 }

@@ -214,8 +214,8 @@ bool Riders::bears(std::size_t item, const SceneState& state, const Vector6& wre
 ///
 ///     f_i = -k (c_i + n . d_i) n + k_t (e_i - (1 - n n') d_i)   where c_i + n . d_i > 0, else 0,
 ///
-/// n away from the body, e_i the deflection of what carries it against it. Newton's method on the sum of f_i and of their
-/// moments; a spring that lets go or takes hold changes its matrix.
+/// n away from the body, e_i the deflection of what carries it against it. Newton's method on the
+/// sum of f_i and of their moments; a spring that lets go or takes hold changes its matrix.
 Vector6 Riders::yield(const Vector6& wrench, const Quaternion& rotation,
                       const std::vector<BodyContactState>& contacts) const {
   constexpr int kMaxIterations = 20;

@@ -22,10 +22,10 @@ namespace gurney {
 /// Given a tolerance it takes several steps of its own choice where one would be too inaccurate
 /// (StepControl); a rejected one changes nothing but the choice of the next.
 /// A step whose solve does not converge is halved, again and again down to `max_subdivisions`.
-/// Events that change the equations (a drop weight reaching its floor, a latch that lets go) are located inside the step
-/// and end it; at those that bend a force (slip that reverses, a wheel that leaves the floor or
-/// lands) a step ends where they are foreseen. While a body meets another one the steps are a
-/// fraction of the contact's duration.
+/// Events that change the equations (a drop weight reaching its floor, a latch that lets go) are
+/// located inside the step and end it; at those that bend a force (slip that reverses, a wheel that
+/// leaves the floor or lands) a step ends where they are foreseen. While a body meets another one
+/// the steps are a fraction of the contact's duration.
 class Stepper {
  public:
   Stepper(const Assembly& assembly, const FloorMotion& floor, const SimulationSettings& settings);

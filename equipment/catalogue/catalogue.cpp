@@ -21,7 +21,7 @@ struct KindNames {
 KindNames names_of(DataKind kind) {
   switch (kind) {
     case DataKind::kItem:
-      return {"equipment/items", "item of equipment"};
+      return {"equipment/items", "item"};
     case DataKind::kCaster:
       return {"equipment/casters", "caster"};
     case DataKind::kFloor:
@@ -51,11 +51,13 @@ std::string of_another_kind(const std::string& name) {
   for (const DataKind kind : {DataKind::kItem, DataKind::kCaster, DataKind::kFloor, DataKind::kRoom,
                               DataKind::kTether, DataKind::kBuilding})
     if (config::FileSnapshot::exists(folder_of(kind) / (name + ".toml")))
-      return "; '" + name + "' is the name of another kind: " + names_of(kind).noun;
+      return "; '" + name + "' is the name of another kind: " + noun_of(kind);
   return {};
 }
 
 }  // namespace
+
+const char* noun_of(DataKind kind) { return names_of(kind).noun; }
 
 std::string data_folder() { return find_data_folder().path; }
 
@@ -76,7 +78,8 @@ std::vector<std::string> catalogue_names(DataKind kind) {
 }
 
 std::string find_data(DataKind kind, const std::string& name, const std::string& named_in) {
-  const std::string noun = names_of(kind).noun;
+  const std::string noun =
+      noun_of(kind) + std::string(kind == DataKind::kItem ? " of equipment" : "");
   if (name.find('/') != std::string::npos || fs::path(name).extension() == ".toml") {
     const fs::path path = (fs::path(named_in).parent_path() / name).lexically_normal();
     std::error_code ignored;

@@ -6,6 +6,7 @@
 namespace gurney::equipment {
 
 enum class DataKind { kItem, kCaster, kFloor, kRoom, kTether, kBuilding };
+const char* noun_of(DataKind kind);  ///< "floor covering"
 
 /// Where the shipped data are (data_folder.h). It holds equipment/ with a folder for each kind,
 /// contacts.toml and levelness.toml, and groundmotions/buildings/.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/config/table.h"
 #include "engine/contact/body_form.h"
@@ -132,10 +133,6 @@ DataKind data_kind(const std::string& file) {
   return static_cast<DataKind>(kind);
 }
 
-void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
-  list.insert(list.end(), more.begin(), more.end());
-}
-
 CheckedFile check_item(const std::string& file) {
   CheckedFile result{DataKind::kItem, {}, {}};
   const auto check = [&](const std::string& variant) {
@@ -145,9 +142,9 @@ CheckedFile check_item(const std::string& file) {
       const LoadedItem item = load_item(file, {}, variants);
       if (variant.empty()) result.name = item.model.name;
       std::vector<std::string> warnings = item.warnings;
-      append(warnings, implausible(as_rigid(item)));
+      append_all(warnings, implausible(as_rigid(item)));
       for (const LoadedContent& content : item.contents)
-        append(warnings, implausible(content.model));
+        append_all(warnings, implausible(content.model));
       for (std::string& warning : warnings)
         result.warnings.push_back(variant.empty() ? warning : warning + " (" + variant + ")");
     } catch (const Error& error) {

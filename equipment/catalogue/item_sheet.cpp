@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/polygon.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/support.h"
 
@@ -51,7 +52,9 @@ ItemSheet item_sheet(const EquipmentModel& item, const ContactConstants& floor) 
   sheet.stability = stability_of(item);
   sheet.tilts = tilts_of(item, sheet.whole.center_of_mass);
   const auto contacts = supports_of(item, Swivels::kAsPlaced);
-  sheet.support_polygon = hull_of(contacts);
+  std::vector<Vector2> centers;
+  for (const Support& contact : contacts) centers.push_back(contact.center);
+  sheet.support_polygon = convex_polygon(std::move(centers));
 
   const double weight = sheet.whole.mass * kStandardGravity;
   double sliding = 0, holding = 0;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/base/append_all.h"
 #include "engine/base/diagnostics.h"
 #include "engine/base/units.h"
 #include "engine/contact/body_form.h"
@@ -355,12 +356,11 @@ const ContactConstants& floor_contact(const LoadedItem& item) {
 EquipmentModel as_rigid(const LoadedItem& item) {
   EquipmentModel whole = item.model;
   for (const LoadedPart& part : item.parts) {
-    whole.shape.insert(whole.shape.end(), part.model.shape.begin(), part.model.shape.end());
+    append_all(whole.shape, part.model.shape);
     whole.payloads.push_back({part.model.name, part.model.chassis_mass,
                               part.model.chassis_center_of_mass, part.model.chassis_inertia});
-    whole.payloads.insert(whole.payloads.end(), part.model.payloads.begin(),
-                          part.model.payloads.end());
-    whole.casters.insert(whole.casters.end(), part.model.casters.begin(), part.model.casters.end());
+    append_all(whole.payloads, part.model.payloads);
+    append_all(whole.casters, part.model.casters);
   }
   for (const LoadedContent& content : item.contents) {
     const Eigen::AngleAxisd turn(content.yaw, Vector3::UnitZ());
@@ -404,8 +404,7 @@ LoadedItem assemble_item(const ItemDescription& item, const ItemOptions& options
   for (const LoadedPart& part : loaded.parts) validate(part.model);
   check_places(item, loaded.warnings);
   const Stability stability = stability_of(as_rigid(loaded));
-  loaded.warnings.insert(loaded.warnings.end(), stability.warnings.begin(),
-                         stability.warnings.end());
+  append_all(loaded.warnings, stability.warnings);
   return loaded;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/append_all.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 
@@ -258,7 +259,7 @@ void read_room(Table table, RoomNames& names, Uncertain<RoomDescription>& room) 
   });
   std::vector<MaterialContact> known = room.stated().contacts;
   const std::vector<MaterialContact> usual = usual_contacts().stated();
-  known.insert(known.end(), usual.begin(), usual.end());
+  append_all(known, usual);
 
   read_walls(table, known, names, room);
   for (const ShapeKind& kind : kShapes) {

@@ -39,8 +39,6 @@ std::vector<double> ties(const std::vector<Support>& supports) {
   return angles;
 }
 
-double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Points of a shape that may be its lowest: of what rolls, those it rolls on.
 std::vector<Vector3> low_points(const BodyShape& shape) {
   const auto* cylinder = std::get_if<SolidCylinder>(&shape.solid);
@@ -121,30 +119,6 @@ double reach_towards(const std::vector<Support>& supports, const Vector2& point,
       smallest = std::min(smallest, (reach(supports, m) - point.dot(m)) / cosine);
   }
   return smallest;
-}
-
-// Andrew's monotone chain (1979, Information Processing Letters 9(5), 216-219).
-std::vector<Vector2> hull_of(const std::vector<Support>& supports) {
-  std::vector<Vector2> points;
-  for (const Support& support : supports) points.push_back(support.center);
-  std::ranges::sort(points, [](const Vector2& a, const Vector2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  if (points.size() < 3) return points;
-  std::vector<Vector2> hull;
-  const auto chain = [&](auto begin, auto end) {
-    const std::size_t first = hull.size();
-    for (auto point = begin; point != end; ++point) {
-      while (hull.size() >= first + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *point - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(*point);
-    }
-    hull.pop_back();
-  };
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
 }
 
 namespace {

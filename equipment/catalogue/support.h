@@ -39,9 +39,6 @@ Margin smallest_margin(const std::vector<Support>& supports, const Vector2& poin
 /// @param direction  from the x axis, anticlockwise [rad]
 double reach_towards(const std::vector<Support>& supports, const Vector2& point, double direction);
 
-/// The corners of the smallest convex polygon around the centres, anticlockwise.
-std::vector<Vector2> hull_of(const std::vector<Support>& supports);
-
 /// Static stability of an item on a level floor.
 ///
 /// A caster that swivels puts its wheel anywhere on a circle of radius trail round its mount, so

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "groundmotions/assembly/file_names.h"
 #include "groundmotions/assembly/place.h"
@@ -211,15 +212,13 @@ Record read_record(const std::vector<RecordFile>& files, const ReadOptions& opti
   record.name = name_from(files);
   std::vector<std::string> warnings;
   for (const auto& component : record.components)
-    if (component)
-      warnings.insert(warnings.end(), component->warnings.begin(), component->warnings.end());
+    if (component) append_all(warnings, component->warnings);
   record.warnings.insert(record.warnings.begin(), warnings.begin(), warnings.end());
   align(record);
   if (std::ranges::none_of(files,
                            [](const RecordFile& file) { return file.direction.has_value(); })) {
     record = orthogonal_horizontals(std::move(record));
-    record.warnings.insert(record.warnings.end(), record.processing.begin(),
-                           record.processing.end());
+    append_all(record.warnings, record.processing);
   }
   const bool moves = std::ranges::any_of(record.components, [](const auto& component) {
     return component && (component->acceleration.array() != 0).any();

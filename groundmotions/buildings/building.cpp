@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/base/names.h"
 #include "engine/base/units.h"
 #include "engine/config/table.h"
 #include "groundmotions/buildings/isolation.h"
@@ -305,8 +306,7 @@ std::array<ModalAxis, 2> read_generic(Table& table, Building& building) {
   std::array<double, 2> period;
   if (table.has("frame")) {
     exclude(table, "period_s", "frame");
-    std::vector<std::string> names;
-    for (const FrameKind& frame : kFrameKinds) names.emplace_back(frame.name);
+    const std::vector<std::string> names = names_of(kFrameKinds);
     const FrameKind& frame = kFrameKinds[table.choice("frame", names)];
     height = table.number("height_m", Range::positive());
     if (*height > 0) period.fill(approximate_period(frame, *height));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/append_all.h"
 #include "groundmotions/formats/numbers.h"
 
 namespace gurney::groundmotions {
@@ -136,7 +137,7 @@ bool FieldReader::read_fields(std::size_t index, std::size_t count, const Fortra
                            trimmed(line.substr(end)).substr(0, 40), count));
     return false;
   }
-  values.insert(values.end(), numbers.begin(), numbers.end());
+  append_all(values, numbers);
   return true;
 }
 
@@ -145,7 +146,7 @@ bool FieldReader::read_freely(std::size_t index, std::size_t count,
   FileErrors errors(file_);
   NumberReader reader(file_, errors);
   if (reader.read_line(index) != count || errors.any()) return false;
-  values.insert(values.end(), reader.values().begin(), reader.values().end());
+  append_all(values, reader.values());
   return true;
 }
 

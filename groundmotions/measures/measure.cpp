@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
@@ -159,8 +160,7 @@ Measure parse_measure(std::string_view text) {
       throw Error(where + fmt::format("the period stands in brackets: {}({})", entry.name,
                                       all.substr(begin.size())));
   }
-  std::vector<std::string> names;
-  for (const Entry& entry : kEntries) names.push_back(entry.name);
+  const std::vector<std::string> names = names_of(kEntries);
   const auto original = cut(text, '(').first;
   throw Error(where + "unknown measure" + config::suggestion(std::string(original), names));
 }

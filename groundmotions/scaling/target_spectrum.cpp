@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/units.h"
 #include "groundmotions/synthetic/ac156.h"
@@ -198,7 +199,7 @@ std::optional<TargetSpectrum> read_target(Table& in, const std::vector<std::stri
                                                     read_ac156, read_table};
   const std::size_t errors = in.document().errors();
   std::vector<std::string> known = {"asce7", "eurocode8", "nzs1170", "ac156", "table"};
-  known.insert(known.end(), others.begin(), others.end());
+  append_all(known, others);
   const std::size_t kind = in.choice("target", known);
   if (in.document().errors() > errors) {
     for (const std::string& key : in.keys()) in.has(key);  // of which target is not known

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/base/append_all.h"
 #include "engine/base/units.h"
 #include "groundmotions/assembly/file_names.h"
 #include "groundmotions/assembly/place.h"
@@ -66,7 +67,7 @@ bool can_be_record(const Group& group) {
 }
 
 Group joined(Group a, const Group& b) {
-  a.insert(a.end(), b.begin(), b.end());
+  append_all(a, b);
   return a;
 }
 
@@ -253,8 +254,7 @@ std::size_t find_apart(std::string_view text, std::string_view part) {
 
 std::vector<std::string> spellings_of(const Component& component) {
   std::vector<std::string> spellings = {component.name};
-  if (component.direction == Direction::kVertical)
-    spellings.insert(spellings.end(), kVerticals.begin(), kVerticals.end());
+  if (component.direction == Direction::kVertical) append_all(spellings, kVerticals);
   if (!component.azimuth) return spellings;
   const double degrees = std::round(*component.azimuth / kRadiansPerDegree);
   spellings.push_back(fmt::format("{:03.0f}", degrees));
@@ -317,7 +317,7 @@ std::vector<SuiteRecord> records_of_components(std::vector<FoundComponent> compo
   std::vector<Group> groups;
   for (std::vector<Group> alike : by_content) {
     if (alike.size() > 1) join_alike(alike);
-    groups.insert(groups.end(), alike.begin(), alike.end());
+    append_all(groups, alike);
   }
   std::vector<SuiteRecord> records;
   for (const Group& group : groups) records.push_back(record_of(group, name_of(group)));

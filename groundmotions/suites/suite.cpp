@@ -5,6 +5,7 @@
 
 #include <iterator>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/config/file_snapshot.h"
@@ -55,7 +56,7 @@ std::vector<std::filesystem::path> expanded(const std::vector<std::filesystem::p
     }
     const auto found = glob(path);
     require(!found.empty(), path.string() + ": no file or folder has a name of this pattern");
-    all.insert(all.end(), found.begin(), found.end());
+    append_all(all, found);
   }
   return all;
 }

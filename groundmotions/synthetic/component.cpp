@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "groundmotions/measures/peaks.h"
 
@@ -57,8 +58,8 @@ void describe_synthetic(Record& record, const std::string& kind, const std::stri
     if (!component) continue;
     HeaderFacts header = {
         {"synthetic", "never recorded; made by Gurney"}, {"kind", kind}, {"source", source}};
-    header.insert(header.end(), facts.begin(), facts.end());
-    header.insert(header.end(), component->header.begin(), component->header.end());
+    append_all(header, facts);
+    append_all(header, component->header);
     component->header = std::move(header);
     for (const std::string& warning : component->warnings) record.warnings.push_back(warning);
   }

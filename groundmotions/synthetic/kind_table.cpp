@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/append_all.h"
 #include "engine/base/units.h"
 #include "groundmotions/synthetic/ac156.h"
 #include "groundmotions/synthetic/clough_penzien.h"
@@ -131,7 +132,7 @@ std::vector<SyntheticParameter> stochastic_parameters() {
 
 std::vector<SyntheticParameter> joined(std::vector<SyntheticParameter> first,
                                        const std::vector<SyntheticParameter>& second) {
-  first.insert(first.end(), second.begin(), second.end());
+  append_all(first, second);
   return first;
 }
 

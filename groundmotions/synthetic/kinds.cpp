@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/config/document.h"
 #include "engine/config/nearest_name.h"
@@ -15,11 +16,7 @@ namespace gurney::groundmotions {
 
 namespace {
 
-std::vector<std::string> kind_names() {
-  std::vector<std::string> names;
-  for (const SyntheticKind& kind : synthetic_kinds()) names.push_back(kind.name);
-  return names;
-}
+std::vector<std::string> kind_names() { return names_of(synthetic_kinds()); }
 
 SyntheticRequest read_values(const SyntheticKind& kind, config::Table& table) {
   SyntheticRequest request{&kind, {}};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "groundmotions/synthetic/component.h"
 
@@ -92,7 +93,7 @@ Record with_pulse(Record record, const NearFaultPulse& pulse, double start) {
           fmt::format("the pulse ends at {:.6g} s, after the motion, which ends at {:.6g} s",
                       static_cast<double>(first + length - 1) * step, h1->duration()));
   h1->acceleration.segment(first, length) += alone.acceleration;
-  h1->warnings.insert(h1->warnings.end(), alone.warnings.begin(), alone.warnings.end());
+  append_all(h1->warnings, alone.warnings);
   return record;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
 
 namespace gurney::study {
@@ -14,12 +15,6 @@ namespace {
 
 /// Levels that differ by less are one: a scale times an intensity is rounded.
 constexpr double kRounding = 1e-9;
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(' ');
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 /// Indices of the names in a list apart by commas; empty unless all are known.
 std::vector<std::size_t> parsed(const std::string& text, const std::vector<std::string>& names) {
@@ -43,7 +38,7 @@ std::string unknown_part(const std::string& text, const std::vector<std::string>
       return unknown_part(text.substr(comma + 1), names);
   const bool with_commas = std::ranges::any_of(
       names, [](const std::string& name) { return name.find(',') != std::string::npos; });
-  return trimmed(with_commas ? text : text.substr(0, text.find(',')));
+  return std::string(trimmed(with_commas ? text : text.substr(0, text.find(','))));
 }
 
 std::string no_configuration(const std::string& text, const std::vector<std::string>& names) {

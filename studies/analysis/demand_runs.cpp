@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "studies/statistics/quantiles.h"
 
 namespace gurney::study {
 namespace {
@@ -129,15 +130,7 @@ double fractile_at(const std::vector<IdaCurve>& curves, double intensity, double
     if (const double value = curve.demand_at(intensity); !std::isnan(value))
       values.push_back(value);
   if (2 * values.size() < curves.size() || values.empty()) return kNaN;
-  std::ranges::sort(values);
-  const double place = fraction * static_cast<double>(values.size()) - 0.5;
-  const double last = static_cast<double>(values.size() - 1);
-  const double low = std::clamp(std::floor(place), 0.0, last), high = std::min(low + 1, last);
-  const double share = std::clamp(place - low, 0.0, 1.0);
-  const double a = values[static_cast<std::size_t>(low)],
-               b = values[static_cast<std::size_t>(high)];
-  if (share == 0) return a;
-  return std::isinf(b) ? kInfinity : a + share * (b - a);
+  return statistics::quantile_of(std::move(values), fraction);
 }
 
 }  // namespace gurney::study

@@ -42,8 +42,7 @@ void judge_stripes(const statistics::StripeTable& table, const FragilityRequest&
   result.profile = statistics::profile_intervals(table, request.confidence, true);
   result.fit_is_judged = !table.repeats_groups();
   if (!result.fit_is_judged) return;
-  if (const auto check = statistics::check_fit(result.stripes, 999, seed))
-    result.p_of_fit = check->p_simulated;
+  result.p_of_fit = statistics::p_of_fit(result.stripes, 999, seed);
 }
 
 void judge_capacities(std::uint64_t seed, FragilityResult& result) {

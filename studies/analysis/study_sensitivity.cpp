@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/random/sampling.h"
 #include "engine/response/response.h"
@@ -228,7 +229,7 @@ void take_off_means(Design& design) {
 
 std::vector<double> joined(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> all = a;
-  all.insert(all.end(), b.begin(), b.end());
+  append_all(all, b);
   return all;
 }
 
@@ -237,7 +238,7 @@ void add_tornado(const ConfigurationView& side, const Design& design, double sha
                  const std::vector<std::optional<std::string>>& variables,
                  StudySensitivity& result) {
   std::vector<std::size_t> draws = design.draw_a;
-  draws.insert(draws.end(), design.draw_b.begin(), design.draw_b.end());
+  append_all(draws, design.draw_b);
   const std::vector<double> y = joined(design.outputs[0], design.outputs[1]);
   const DrawnNumbers drawn = drawn_numbers(side);
   for (std::size_t i = 0; i < variables.size(); ++i) {

@@ -30,8 +30,7 @@ study::Motion motion_of_array(const groundmotions::Record& record) {
 }
 
 std::optional<study::Motion> motion(const study::Job& job, const RunRequest& request) {
-  if (!request.record)
-    return job.record ? std::optional(study::motion_of(*job.record)) : std::nullopt;
+  if (!request.record) return study::motion_of(job);
   require(!job.record, request.path + ": has a record already; leave out the array, or the table");
   return motion_of_array(*request.record);
 }

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/config/document.h"
 #include "studies/analysis/fragility_result.h"
@@ -44,8 +45,7 @@ py::list limit_states(const StudyData& data) {
 /// The runs that did not fail, by their number, and whether they exceed.
 py::tuple outcomes(const StudyData& data, const std::string& state) {
   std::vector<std::size_t> runs;
-  for (std::size_t i = 0; i < data.configurations().size(); ++i)
-    runs.insert(runs.end(), data.runs_of(i).begin(), data.runs_of(i).end());
+  for (std::size_t i = 0; i < data.configurations().size(); ++i) append_all(runs, data.runs_of(i));
   std::ranges::sort(runs);
   return py::make_tuple(runs, data.exceedances(study::index_of(data.limit_states(), state), runs));
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "engine/base/printable.h"
@@ -127,7 +128,7 @@ void add_plan(Answer& answer, const study::Batch& batch,
         fmt::format("{} of each draw, masses times a factor within 1 +- 1e-6", study.replicas));
   if (!inputs.empty()) answer.add("inputs", inputs, list_of(inputs));
   const study::UndrawnRanges undrawn = study::undrawn_ranges(batch);
-  warnings.insert(warnings.end(), of_buildings.begin(), of_buildings.end());
+  append_all(warnings, of_buildings);
   answer.known.add(report::undrawn_findings(undrawn));
   add_warnings(answer, warnings);
 }

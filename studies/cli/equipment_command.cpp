@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/base/error.h"
 #include "equipment/catalogue/at_rest.h"
 #include "equipment/catalogue/catalogue.h"
@@ -66,24 +64,6 @@ int list(const bool& json) {
 
 int check(const EquipmentFiles& options) { return check_equipment(options.files, options.json); }
 
-const char* noun(equipment::DataKind kind) {
-  switch (kind) {
-    case equipment::DataKind::kItem:
-      return "item";
-    case equipment::DataKind::kCaster:
-      return "caster";
-    case equipment::DataKind::kFloor:
-      return "floor covering";
-    case equipment::DataKind::kRoom:
-      return "room";
-    case equipment::DataKind::kTether:
-      return "kind of tether";
-    case equipment::DataKind::kBuilding:
-      break;
-  }
-  return "building";
-}
-
 }  // namespace
 
 void add_equipment(Commands& commands) {
@@ -119,24 +99,25 @@ void add_equipment(Commands& commands) {
 
 int check_equipment(const std::vector<std::string>& files, bool json) {
   int code = 0;
-  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  findings::Section all;
   for (const std::string& file : files) {
+    findings::Section of("files[]");
+    of.json("file", file);
     try {
       const equipment::CheckedFile checked = equipment::check_data_file(file);
-      results.push_back({{"file", file},
-                         {"kind", noun(checked.kind)},
-                         {"name", checked.name},
-                         {"warnings", checked.warnings}});
-      if (json) continue;
-      fmt::print("{}: {} '{}' is valid\n", file, noun(checked.kind), checked.name);
-      for (const std::string& warning : checked.warnings) fmt::print("  warning: {}\n", warning);
+      const char* const noun = equipment::noun_of(checked.kind);
+      of.json("kind", noun).json("name", checked.name).json("warnings", checked.warnings);
+      if (!json) fmt::print("{}: {} '{}' is valid\n", file, noun, checked.name);
+      for (const std::string& warning : checked.warnings)
+        if (!json) fmt::print("  warning: {}\n", warning);
     } catch (const Error& error) {
       code = 1;
-      results.push_back({{"file", file}, {"errors", json_errors(error.what())}});
+      add_errors(of, error.what());
       if (!json) print_error("{}\n", error.what());
     }
+    all.add(std::move(of));
   }
-  if (json) fmt::print("{}\n", nlohmann::ordered_json{{"files", results}}.dump(2));
+  if (json) print_findings(all, true);
   return code;
 }
 

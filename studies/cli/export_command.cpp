@@ -63,9 +63,10 @@ void check_choice(const ExportOptions& options) {
   refuse("--limit-states", options.assessed_by.limit_states_file, fits);
   if (!options.assessed_by.limit_states.empty())
     refuse("--limit-state", options.assessed_by.limit_states.front(), fits);
-  refuse("--configuration", options.choice.configuration,
-         options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
-             options.format != "gltf" && !is_of_input(options.format));
+  if (!options.choice.configurations.empty())
+    refuse("--configuration", options.choice.configurations.front(),
+           options.format != "csv" && options.format != "trials" && options.format != "xdmf" &&
+               options.format != "gltf" && !is_of_input(options.format));
   require_usage(!options.noise || options.format == "trials", "--noise is for --to trials");
   require_usage(!options.choice.separate || fits, "--separate is for --to pelicun and --to nrml");
   require_usage(options.method.empty() || fits, "--method is for --to pelicun and --to nrml");
@@ -196,8 +197,8 @@ void add_export(Commands& commands) {
                                      "gltf", "mjcf", "urdf", "job"}));
         add("-o,--output FOLDER", options.folder,
             "Folder for the files (default: FILE_FORMAT beside FILE)");
-        add("--configuration", options.choice.configuration,
-            "This configuration only (default: all)");
+        add.single("--configuration,--configurations", options.choice.configurations,
+                   "These configurations only, a list apart by commas (default: all)");
         add("--measure MEASURE", options.choice.measure,
             "Intensity measure of the curves (default: the study's own)");
         add_limit_state_options(add, options.assessed_by);

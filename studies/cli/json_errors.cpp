@@ -1,7 +1,5 @@
 #include "studies/cli/json_errors.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <optional>
 #include <sstream>
@@ -10,12 +8,12 @@
 #include "engine/base/error.h"
 #include "engine/base/printable.h"
 #include "studies/cli/commands.h"
+#include "studies/cli/output.h"
 
 // Messages are taken apart by hand: they quote files, and std::regex needs stack for each character.
 namespace gurney::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Text = std::string_view;
 
 constexpr Text kSpace = " \t\n\v\f\r";
@@ -74,8 +72,8 @@ std::optional<Parts> with_file(Text text) {
   return Parts{file, {}, {}, {}, text.substr(space + 1)};
 }
 
-/// The key that a message begins with: `item.headings_deg[2] = 90: ...`.
-Json key_of(Text message) {
+/// The key that a message begins with: `item.headings_deg[2] = 90: ...`. Empty: it has none.
+std::string key_of(Text message) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
@@ -87,38 +85,29 @@ Json key_of(Text message) {
   return std::string(key);
 }
 
-template <class Number>
-Json json_of(const std::optional<Number>& number) {
-  return number ? Json(*number) : Json();
+findings::Value text_or_none(Text text) {
+  return text.empty() ? findings::Value() : findings::Value(std::string(text));
 }
 
-Json error_of(Text line) {
+findings::Section error_of(Text line) {
   auto parts = with_line(line, true);
   if (!parts) parts = with_pointer(line);
   if (!parts) parts = with_line(line, false);
   if (!parts) parts = with_file(line);
-  if (!parts)
-    return {{"file", nullptr},
-            {"line", nullptr},
-            {"column", nullptr},
-            {"key", nullptr},
-            {"message", shortened(line)}};
-  Json error = {{"file", std::string(parts->file)},
-                {"line", json_of(parts->line)},
-                {"column", json_of(parts->column)},
-                {"key", key_of(parts->message)},
-                {"message", shortened(parts->message)}};
-  if (!parts->pointer.empty()) error["pointer"] = std::string(parts->pointer);
+  const Parts all = parts.value_or(Parts{{}, {}, {}, {}, line});
+  findings::Section error("errors[]");
+  error.json("file", text_or_none(all.file)).json("line", all.line).json("column", all.column);
+  error.json("key", parts ? text_or_none(key_of(all.message)) : findings::Value());
+  error.json("message", shortened(all.message));
+  if (!all.pointer.empty()) error.json("pointer", std::string(all.pointer));
   return error;
 }
 
 }  // namespace
 
-Json json_errors(const std::string& text) {
-  Json errors = Json::array();
+void add_errors(findings::Section& to, const std::string& text) {
   std::istringstream lines(printable(text));
-  for (std::string line; std::getline(lines, line);) errors.push_back(error_of(line));
-  return errors;
+  for (std::string line; std::getline(lines, line);) to.add(error_of(line));
 }
 
 int with_json_errors(bool json, const std::function<int()>& action) {
@@ -126,7 +115,9 @@ int with_json_errors(bool json, const std::function<int()>& action) {
   try {
     return action();
   } catch (const Error& error) {
-    fmt::print("{}\n", Json{{"errors", json_errors(error.what())}}.dump(2));
+    findings::Section errors;
+    add_errors(errors, error.what());
+    print_findings(errors, true);
     return dynamic_cast<const BadUsage*>(&error) == nullptr ? 1 : 2;
   }
 }

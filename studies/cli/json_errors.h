@@ -1,14 +1,15 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "studies/findings/findings.h"
 
 namespace gurney::cli {
 
-/// The lines of an Error as a list of {file, line, column, key, message}; what a line does not
+/// Adds the lines of an Error as `errors`, each {file, line, column, key, message}; what a line does not
 /// state is null. JSON files have places of another kind: `pointer` instead of line and column.
-nlohmann::ordered_json json_errors(const std::string& text);
+void add_errors(findings::Section& to, const std::string& text);
 
 /// Runs `action`; with `json` an Error is printed as {"errors": [...]} to the standard output.
 /// @returns the exit code

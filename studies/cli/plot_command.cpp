@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/base/shell_word.h"
 #include "engine/config/nearest_name.h"
@@ -239,8 +240,7 @@ std::string demand_names(const study::StudyData& data) {
 
 std::string list_of_study(const std::string& file) {
   const study::StudyData data(file);
-  std::vector<std::string> states;
-  for (const auto& state : data.limit_states()) states.push_back(state.name);
+  const std::vector<std::string> states = names_of(data.limit_states());
   return fmt::format(
       "limit states (of fragility, tornado): {}\ndemands (of ida, stripes, cloud, cdf, tornado): "
       "{}\n"

@@ -2,14 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "engine/base/append_all.h"
 #include "engine/base/printable.h"
 #include "studies/cli/commands.h"
 #include "studies/cli/help.h"
+#include "studies/cli/output.h"
 #include "studies/doctor/examination.h"
 #include "studies/render/wrapped.h"
+#include "studies/report/formats.h"
 
 namespace gurney::cli {
 namespace {
@@ -27,13 +29,11 @@ void print_text(const std::vector<Finding>& findings) {
 }
 
 void print_json(const std::vector<Finding>& findings) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  findings::Table table{"findings", "", report::json_columns({"name", "state", "text", "advice"})};
   for (const Finding& each : findings)
-    list.push_back({{"name", each.name},
-                    {"state", name_of(each.state)},
-                    {"text", each.text},
-                    {"advice", each.advice}});
-  fmt::print("{}\n", nlohmann::ordered_json{{"findings", list}}.dump(2));
+    table.add({each.name, name_of(each.state), each.text, each.advice});
+  findings::Section all;
+  print_findings(all.add(std::move(table)), true);
 }
 
 int examine(const bool& json) {
@@ -61,7 +61,7 @@ std::string known_commands(const std::vector<Command>& commands) {
 std::vector<std::string> flags_of(const Command& command) {
   std::vector<std::string> flags;
   for (const CommandOption& option : command.options)
-    if (!option.positional) flags.insert(flags.end(), option.names.begin(), option.names.end());
+    if (!option.positional) append_all(flags, option.names);
   return flags;
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> flags_of(const Command& command) {
 std::vector<std::string> words_after(const Command& command) {
   std::vector<std::string> words = command.commands;
   for (const CommandOption& option : command.options)
-    if (option.positional) words.insert(words.end(), option.choices.begin(), option.choices.end());
+    if (option.positional) append_all(words, option.choices);
   return words;
 }
 
@@ -85,7 +85,7 @@ std::string value_cases(const std::vector<Command>& commands, With with,
       std::vector<std::string> at;
       for (const std::string& name : option.names) at.push_back(command.path + " " + name);
       if (option.choices.empty())
-        any.insert(any.end(), at.begin(), at.end());
+        append_all(any, at);
       else
         text += fmt::format("    {}) {} ;;\n", pattern(at), with(option.choices));
     }

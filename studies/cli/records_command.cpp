@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/base/error.h"
@@ -22,6 +21,7 @@
 #include "studies/figures/record_figures.h"
 #include "studies/job/scale_reader.h"
 #include "studies/render/wrapped.h"
+#include "studies/report/formats.h"
 #include "studies/report/record_report.h"
 #include "studies/results/output_files.h"
 
@@ -42,24 +42,12 @@ std::vector<groundmotions::Measure> measures_of(const InfoOptions& options) {
   return measures;
 }
 
-findings::Value value_of(const nlohmann::ordered_json& json) {
-  if (json.is_number()) return json.get<int>();
-  return json.is_string() ? findings::Value(json.get<std::string>()) : findings::Value();
-}
-
 /// A file that was left out, and its errors with their places.
 findings::Section left_out(const groundmotions::Refusal& refusal) {
   findings::Section of("refused[]");
   of.json("file", refusal.file).json("reason", refusal.reason);
-  findings::Table errors{
-      "errors", "", {{"file", ""}, {"line", ""}, {"column", ""}, {"key", ""}, {"message", ""}}};
-  for (const auto& error : json_errors(groundmotions::text_of(refusal))) {
-    std::vector<findings::Cell> row;
-    for (const findings::Column& column : errors.columns)
-      row.emplace_back(value_of(error.at(column.key)));
-    errors.add(std::move(row));
-  }
-  return of.add(std::move(errors));
+  add_errors(of, groundmotions::text_of(refusal));
+  return of;
 }
 
 int print_json(const InfoOptions& options) {
@@ -195,46 +183,31 @@ struct MakeOptions {
 };
 
 /// All kinds, or one with its parameters.
-int list_kinds(const std::string& only) {
-  bool found = only.empty();
+int list_kinds(const std::string& only, bool json) {
+  if (!only.empty()) groundmotions::synthetic_request(only, {});  // refuses an unknown kind
+  const auto for_people = [&](const char* label) { return only.empty() ? "" : label; };
+  findings::Section all;
   for (const groundmotions::SyntheticKind& kind : groundmotions::synthetic_kinds()) {
     if (!only.empty() && kind.name != only) continue;
-    found = true;
-    fmt::print("{:<18} {}\n", kind.name, kind.description);
-    if (only.empty()) continue;
-    fmt::print("{:<18} source: {}\n", "", kind.source);
+    all.text(kind.name, kind.description);
+    findings::Section of("kinds[]");
+    of.json("kind", kind.name).json("description", kind.description);
+    of.fact("source", for_people("source"), kind.source);
+    findings::Table parameters{"parameters", "", {}};
     for (const groundmotions::SyntheticParameter& parameter : kind.parameters)
-      fmt::print("  {:<28} {:>10g}  {}, {}\n", parameter.key, parameter.fallback, parameter.meaning,
-                 parameter.range.text());
+      report::add_row(parameters, {{{"key", for_people("parameter")}, parameter.key},
+                                   {{"default", for_people("default"), {"g"}}, parameter.fallback},
+                                   {{"meaning", for_people("meaning")}, parameter.meaning},
+                                   {{"allowed", for_people("allowed")}, parameter.range.text()}});
+    all.add(std::move(of.add(std::move(parameters))));
   }
-  if (!found) groundmotions::synthetic_request(only, {});  // says which kinds there are
-  if (only.empty()) fmt::print("\nParameters of one kind: gurney records make KIND --list\n");
-  return 0;
-}
-
-int list_kinds_as_json(const std::string& only) {
-  if (!only.empty()) groundmotions::synthetic_request(only, {});  // says which kinds there are
-  nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
-  for (const groundmotions::SyntheticKind& kind : groundmotions::synthetic_kinds()) {
-    if (!only.empty() && kind.name != only) continue;
-    nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
-    for (const groundmotions::SyntheticParameter& parameter : kind.parameters)
-      parameters.push_back({{"key", parameter.key},
-                            {"default", parameter.fallback},
-                            {"meaning", parameter.meaning},
-                            {"allowed", parameter.range.text()}});
-    kinds.push_back({{"kind", kind.name},
-                     {"description", kind.description},
-                     {"source", kind.source},
-                     {"parameters", parameters}});
-  }
-  fmt::print("{}\n", nlohmann::ordered_json{{"kinds", kinds}}.dump(2));
+  if (only.empty()) all.say("Parameters of one kind: gurney records make KIND --list");
+  print_findings(all, json);
   return 0;
 }
 
 int make(const MakeOptions& options) {
-  if (options.list)
-    return options.json ? list_kinds_as_json(options.kind) : list_kinds(options.kind);
+  if (options.list) return list_kinds(options.kind, options.json);
   if (options.kind.empty()) throw CLI::RequiredError("KIND (`gurney records make --list`)");
   if (options.output.empty()) throw CLI::RequiredError("-o FILE.csv");
   check_csv_output(options.output, options.overwrite);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/base/error.h"
@@ -15,6 +14,7 @@
 #include "studies/cli/process.h"
 #include "studies/cli/record_source.h"
 #include "studies/cli/shared_options.h"
+#include "studies/report/formats.h"
 
 namespace gurney::cli {
 namespace {
@@ -48,72 +48,57 @@ groundmotions::Peaks peaks_of(const groundmotions::Component& component) {
   return groundmotions::peaks(component.time_step, component.acceleration);
 }
 
-/// PGA and PGV, PFA and PFV of the components.
-nlohmann::ordered_json facts_json(const groundmotions::Building& building, int floor,
-                                  const groundmotions::Record& ground,
-                                  const groundmotions::BuildingResponse& response) {
-  nlohmann::ordered_json facts = {
-      {"building", building.name}, {"floor", floor}, {"storeys", building.storeys}};
-  if (building.tables) facts["floor_name"] = name_of_floor(building, floor);
+/// PGA and PGV, PFA and PFV of the components; how far the floor rotates; storeys and isolators.
+findings::Section floor_findings(const groundmotions::Building& building, int floor,
+                                 const groundmotions::Record& ground,
+                                 const groundmotions::BuildingResponse& response) {
+  const findings::Format g{".3g", "g", kStandardGravity}, speed{".3g", "m/s"}, angle{".2g", "rad"};
+  const auto& rotation = response.floor.rotation;
+  findings::Section all(
+      "", fmt::format("{}, floor {} of {}", building.name, name_of_floor(building, floor),
+                      name_of_floor(building, building.storeys)));
+  all.json("building", building.name).json("floor", floor).json("storeys", building.storeys);
+  if (building.tables) all.json("floor_name", name_of_floor(building, floor));
+  findings::Table components{"{}", "", {}};
   for (const groundmotions::Direction direction : groundmotions::kDirections) {
     if (!response.floor[direction]) continue;
-    nlohmann::ordered_json& of = facts[name_of(direction)];
-    if (ground[direction]) {
-      const groundmotions::Peaks below = peaks_of(*ground[direction]);
-      of["pga_m_per_s2"] = below.acceleration;
-      of["pgv_m_per_s"] = below.velocity;
-    }
+    std::optional<groundmotions::Peaks> below;
+    if (ground[direction]) below = peaks_of(*ground[direction]);
     const groundmotions::Peaks peak = peaks_of(*response.floor[direction]);
-    of["pfa_m_per_s2"] = peak.acceleration;
-    of["pfv_m_per_s"] = peak.velocity;
-    if (response.floor.rotation && direction != groundmotions::Direction::kVertical)
-      of["peak_dip_rad"] = peak_dip(*response.floor.rotation, direction);
+    std::optional<double> dip;
+    if (rotation && direction != groundmotions::Direction::kVertical)
+      dip = peak_dip(*rotation, direction);
+    using Value = findings::Value;
+    report::add_row(
+        components,
+        {{{"component", "component"}, name_of(direction)},
+         {{"pga_m_per_s2", "PGA", g}, below ? Value(below->acceleration) : Value()},
+         {{"pfa_m_per_s2", "PFA", g}, peak.acceleration},
+         {{"pgv_m_per_s", "PGV", speed}, below ? Value(below->velocity) : Value()},
+         {{"pfv_m_per_s", "PFV", speed}, peak.velocity},
+         {{"peak_dip_rad", rotation && building.torsion.empty() ? "rotation" : "", angle}, dip}});
   }
-  if (response.floor.rotation && !building.torsion.empty())
-    facts["peak_yaw_rad"] = peak_yaw(*response.floor.rotation);
-  if (response.isolators)
-    facts["isolators"] = {{"peak_m", response.isolators->peak},
-                          {"residual_m", response.isolators->residual.norm()}};
-  if (response.storey_drift_ratio) facts["peak_storey_drift_ratio"] = *response.storey_drift_ratio;
+  all.add(std::move(components));
+  if (rotation && !building.torsion.empty())
+    all.fact("peak_yaw_rad", "floor twists by up to", peak_yaw(*rotation), angle);
+  for (const std::string& finding : response.findings) all.say(finding);
+  if (response.isolators) {
+    findings::Section isolators("isolators");
+    isolators.fact("peak_m", "isolators, peak", response.isolators->peak, {".3g", "m"})
+        .fact("residual_m", "isolators, residual", response.isolators->residual.norm(),
+              {".2g", "m"});
+    all.add(std::move(isolators));
+  }
+  if (response.storey_drift_ratio)
+    all.json("peak_storey_drift_ratio", *response.storey_drift_ratio);
   if (response.storeys) {
-    const auto numbers = [](const Eigen::VectorXd& v) { return std::vector(v.begin(), v.end()); };
-    facts["storey_response"] = {{"ductility", numbers(response.storeys->ductility)},
-                                {"residual_drift_m", numbers(response.storeys->residual_drift)}};
+    findings::Section storeys("storey_response");
+    storeys.json("ductility", response.storeys->ductility)
+        .json("residual_drift_m", response.storeys->residual_drift);
+    all.add(std::move(storeys));
   }
-  facts["processing"] = response.floor.processing;
-  facts["warnings"] = response.floor.warnings;
-  return facts;
-}
-
-void print_facts(const groundmotions::Building& building, int floor,
-                 const groundmotions::Record& ground,
-                 const groundmotions::BuildingResponse& response) {
-  fmt::print("{}, floor {} of {}\n", building.name, name_of_floor(building, floor),
-             name_of_floor(building, building.storeys));
-  for (const groundmotions::Direction direction : groundmotions::kDirections) {
-    if (!response.floor[direction]) continue;
-    const groundmotions::Peaks below =
-        ground[direction] ? peaks_of(*ground[direction]) : groundmotions::Peaks{};
-    const groundmotions::Peaks peak = peaks_of(*response.floor[direction]);
-    fmt::print("  {:<9} PGA {:.3g} g, PFA {:.3g} g; PGV {:.3g} m/s, PFV {:.3g} m/s{}\n",
-               name_of(direction), below.acceleration / kStandardGravity,
-               peak.acceleration / kStandardGravity, below.velocity, peak.velocity,
-               ground[direction] ? "" : " (not in the record)");
-  }
-  if (response.floor.rotation && !building.torsion.empty())
-    fmt::print("  floor twists by up to {:.2g} rad\n", peak_yaw(*response.floor.rotation));
-  else if (response.floor.rotation)
-    fmt::print("  floor rotates by up to {:.2g} rad along h1, {:.2g} rad along h2\n",
-               peak_dip(*response.floor.rotation, groundmotions::Direction::kH1),
-               peak_dip(*response.floor.rotation, groundmotions::Direction::kH2));
-  for (const std::string& finding : response.findings) fmt::print("  {}\n", finding);
-  if (response.isolators)
-    fmt::print("  isolators {:.3g} m, residual {:.2g} m\n", response.isolators->peak,
-               response.isolators->residual.norm());
-  for (const std::string& warning : response.floor.warnings)
-    if (std::ranges::find(ground.warnings, warning) ==
-        ground.warnings.end())  // those were reported
-      print_error("warning: {}\n", warning);
+  return all.json("processing", response.floor.processing)
+      .json("warnings", response.floor.warnings);
 }
 
 std::string text_of(const std::vector<groundmotions::Refusal>& refused) {
@@ -158,10 +143,11 @@ int floor(const FloorOptions& options) {
   const groundmotions::BuildingResponse response = groundmotions::building_response(
       *ground, building, number, {options.place[0], options.place[1]});
   refuse_input_as_output(options.output, *ground);
-  if (options.json)
-    fmt::print("{}\n", facts_json(building, number, *ground, response).dump(2));
-  else
-    print_facts(building, number, *ground, response);
+  print_findings(floor_findings(building, number, *ground, response), options.json);
+  for (const std::string& warning : response.floor.warnings)
+    if (!options.json && std::ranges::find(ground->warnings, warning) ==
+                             ground->warnings.end())  // those were reported
+      print_error("warning: {}\n", warning);
   write_output(options.output, record_csv(response.floor), options.overwrite, options.json);
   return code;
 }

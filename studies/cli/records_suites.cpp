@@ -10,6 +10,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
 #include "groundmotions/measures/combination.h"
@@ -172,8 +173,7 @@ int scale(const ScaleOptions& options) {
   require(!suite.records.empty(),
           "no record is left to scale; a record with one horizontal needs "
           "--component h1");
-  std::vector<std::string> names;
-  for (const groundmotions::SuiteRecord& record : suite.records) names.push_back(record.name);
+  const std::vector<std::string> names = names_of(suite.records);
   const auto spectra_at = [&](const Eigen::VectorXd& at) {
     Eigen::MatrixXd spectra(std::ssize(suite.motions), at.size());
     for (Eigen::Index i = 0; i < spectra.rows(); ++i)

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <new>
-#include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
@@ -192,20 +191,15 @@ void make_shards_folder(const RunOptions& options, const Paths& paths) {
 
 int finish_shard(const RunOptions& options, const study::Shard& shard,
                  const study::BatchProgress& progress, const Paths& paths) {
-  if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"shard", shard.number},
-                                              {"shards", shard.count},
-                                              {"folder", paths.parts.string()},
-                                              {"analysis_cases", progress.tasks},
-                                              {"finished", progress.done},
-                                              {"runs", progress.runs},
-                                              {"overturned", progress.overturned},
-                                              {"failed", progress.failed},
-                                              {"untrusted", progress.untrusted},
-                                              {"stage", progress.stage + 1},
-                                              {"awaited_analysis_cases", progress.awaited}}
-                           .dump(2));
-  else if (!options.quiet)
+  if (options.json) {
+    findings::Section facts;
+    facts.json("shard", shard.number).json("shards", shard.count);
+    facts.json("folder", paths.parts.string()).json("analysis_cases", progress.tasks);
+    facts.json("finished", progress.done).json("runs", progress.runs);
+    facts.json("overturned", progress.overturned).json("failed", progress.failed);
+    facts.json("untrusted", progress.untrusted).json("stage", progress.stage + 1);
+    print_findings(facts.json("awaited_analysis_cases", progress.awaited), true);
+  } else if (!options.quiet)
     fmt::print(
         "shard    {} of {}: {} analysis cases, {} runs, {} overturned, {}\n{}", shard.number,
         shard.count, progress.done, progress.runs, progress.overturned,

@@ -18,6 +18,7 @@
 #include "studies/cli/shared_options.h"
 #include "studies/playback/page.h"
 #include "studies/prepare/run_job.h"
+#include "studies/render/script_json.h"
 #include "studies/results/output_files.h"
 
 namespace gurney::cli {
@@ -59,11 +60,14 @@ struct Content {
 constexpr const char* kShippedMotion =
     "\n[excitation.record]\nfile = \"../../groundmotions/records/synthetic_3c.csv\"\n";
 
+std::string quoted(const std::string& text) {
+  return SortedJson(text).dump(-1, ' ', false, SortedJson::error_handler_t::replace);
+}
+
 std::string job_with(const std::string& item, double x, double y, const std::string& room) {
   return fmt::format(
       "schema = \"gurney-job/1\"\n\n[[item]]\nequipment = {}\nposition_m = [{:g}, {:g}]\n{}",
-      SortedJson(item).dump(), x, y,
-      room.empty() ? "" : fmt::format("\n[room]\nfile = {}\n", SortedJson(room).dump()));
+      quoted(item), x, y, room.empty() ? "" : fmt::format("\n[room]\nfile = {}\n", quoted(room)));
 }
 
 Content with_item(const std::string& equipment, const fs::path& folder) {
@@ -181,12 +185,9 @@ int workbench(const WorkbenchOptions& options) {
     const SortedJson given{{"text", content.text + content.motion},
                            {"files", files_of(content)},
                            {"edit", content.edit}};
-    std::string json = given.dump();
-    for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
-      json.replace(at, 1, "\\u003c");
     const std::string mark = kGiven;
     const std::size_t null = mark.find("null");
-    page.replace(page.find(mark) + null, 4, json);
+    page.replace(page.find(mark) + null, 4, render::script_json(given));
   }
   write_output(output, page, options.overwrite);
   return 0;

@@ -42,31 +42,10 @@ Polygon from_above(const std::vector<Vector3>& points, const Vector3& origin,
                    const Quaternion& rotation) {
   std::vector<Vector2> plan;
   for (const Vector3& point : points) plan.push_back((origin + rotation * point).head<2>());
-  return convex_hull(plan);
+  return convex_polygon(std::move(plan));
 }
 
 }  // namespace
-
-Polygon convex_hull(std::vector<Vector2> points) {
-  // Andrew's monotone chain.
-  std::sort(points.begin(), points.end(), [](const Vector2& a, const Vector2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  Polygon hull;
-  const auto chain = [&](auto begin, auto end) {
-    const std::size_t start = hull.size();
-    for (auto p = begin; p != end; ++p) {
-      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), *p) <= 0)
-        hull.pop_back();
-      hull.push_back(*p);
-    }
-    hull.pop_back();
-  };
-  if (points.size() < 3) return points;
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
-}
 
 std::vector<Polygon> footprint(const PlacedItem& item, const Sample& sample) {
   const Vector3 start(item.initial.position.x(), item.initial.position.y(), 0);

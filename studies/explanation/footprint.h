@@ -2,15 +2,11 @@
 
 #include <vector>
 
+#include "engine/base/polygon.h"
 #include "engine/response/response.h"
 #include "engine/scene/scene.h"
 
 namespace gurney::explanation {
-
-using Polygon = std::vector<Vector2>;  ///< convex, anticlockwise
-
-/// The smallest convex polygon around points.
-Polygon convex_hull(std::vector<Vector2> points);
 
 /// The boxes of an item from above, one polygon for each, wherever it stands or lies [m].
 std::vector<Polygon> footprint(const PlacedItem& item, const Sample& sample);

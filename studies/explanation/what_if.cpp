@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "engine/base/units.h"
@@ -56,7 +57,7 @@ class Variants {
     };
     each(scene_, [&](std::size_t i) {
       const std::vector<Caster>& own = scene_.items[i].model.casters;
-      casters.insert(casters.end(), own.begin(), own.end());
+      append_all(casters, own);
     });
     const auto braked = [](const Caster& c) { return c.brake_torque > 0; };
     Variant& on = add("all brakes on", "Locking every wheel");

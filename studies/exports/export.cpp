@@ -11,6 +11,7 @@
 #include <set>
 #include <string_view>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/number_text.h"
 #include "engine/base/printable.h"
@@ -263,7 +264,7 @@ std::vector<RunColumn> responses(const StudyData& data, std::size_t configuratio
   add_demands(file, "points", "point", point_demand_columns(), runs, demands);
   const RunColumn errors = errors_of(file);
   clear_failed(errors, demands);
-  columns.insert(columns.end(), demands.begin(), demands.end());
+  append_all(columns, demands);
   columns.push_back(errors);
   return columns;
 }
@@ -351,7 +352,7 @@ void export_responses(const StudyData& data, const ExportChoice& choice, const T
                         data.file().path(), name));
     take(name, bytes);
   };
-  for (const std::size_t configuration : chosen_configurations(data, choice)) {
+  for (const std::size_t configuration : wanted_configurations(data, choice.configurations)) {
     const std::string& name = data.configurations()[configuration];
     const std::string tail = name.empty() ? "" : "_" + plain_identifier(name, "variant");
     std::vector<std::size_t> runs;

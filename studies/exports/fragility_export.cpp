@@ -111,23 +111,6 @@ std::string state_name(const ChosenCurve& curve) {
   return plain_identifier(curve.state.name, "limit");
 }
 
-std::string xml_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else if (static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t')
-      escaped += c;
-  }
-  return escaped;
-}
-
 /// Intensities between which a function is looked at, in the unit of the file.
 struct Span {
   double low = INFINITY, high = 0;
@@ -471,7 +454,7 @@ class Library {
              {"References", references_}};
     all.update(descriptions_);
     take("fragility.csv", table_);
-    take("fragility.json", all.dump(2) + "\n");
+    take("fragility.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     take("fragility_cautions.csv", notes_);
     if (consequences_ != nullptr) take("consequence_repair.csv", repair_);
   }
@@ -489,17 +472,6 @@ class Library {
 };
 
 }  // namespace
-
-std::vector<std::size_t> chosen_configurations(const StudyData& data, const ExportChoice& choice) {
-  const std::vector<std::string>& names = data.configurations();
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (choice.configuration.empty() || names[i] == choice.configuration) chosen.push_back(i);
-  require(!chosen.empty(),
-          fmt::format("{}: no configuration '{}'{}", data.file().path(), choice.configuration,
-                      config::suggestion(choice.configuration, names)));
-  return chosen;
-}
 
 std::string basis_text(const ChosenCurve& curve) {
   const CurveAudit& of = curve.audit;
@@ -521,7 +493,7 @@ std::string caution_text(const ChosenCurve& curve, const ReportUnit& unit) {
 ChosenCurves chosen_curves(const StudyData& data, const ExportChoice& choice) {
   ChosenCurves chosen{data.measure(choice.measure), {}, {}};
   const std::vector<std::size_t> states = chosen_states(data, choice);
-  for (const std::size_t configuration : chosen_configurations(data, choice))
+  for (const std::size_t configuration : wanted_configurations(data, choice.configurations))
     for (const std::size_t state : states) {
       const FittedCurve fitted =
           fitted_curve(data, state, configuration, chosen.measure, choice.method);

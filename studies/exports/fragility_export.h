@@ -14,16 +14,13 @@ namespace gurney::study {
 /// Part of a study that is exported; an empty text: all configurations, all limit states, the
 /// study's own measure.
 struct ExportChoice {
-  std::string configuration{}, measure{}, limit{};
+  std::vector<std::string> configurations{};  ///< as named_configurations() reads them; empty: all
+  std::string measure{}, limit{};
   bool separate = false;  ///< a component for each limit state, not for those of one quantity
   bool discrete = false;  ///< NRML with probabilities at intensities, not parameters
   CurveMethod method = CurveMethod::kOwn;
   const Consequences* consequences = nullptr;  ///< for pelicun: what the damage states cost
 };
-
-/// Indices of the configurations that are chosen.
-/// @throws Error with the nearest name
-std::vector<std::size_t> chosen_configurations(const StudyData& data, const ExportChoice& choice);
 
 /// A fragility curve that may be exported.
 struct ChosenCurve {

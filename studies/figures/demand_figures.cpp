@@ -10,6 +10,7 @@
 #include "studies/analysis/demand_runs.h"
 #include "studies/figures/labels.h"
 #include "studies/statistics/cloud.h"
+#include "studies/statistics/quantiles.h"
 
 namespace gurney::figures {
 namespace {
@@ -191,12 +192,8 @@ void add(Panel& panel, const study::DemandRuns& runs, const study::DemandRuns::C
   median.shift = stood.shift = fell.shift = offset;
   fell.only_x = true;
   Area band{.x = {}, .low = {}, .high = {}, .color = color};
-  for (auto& [im, values] : stripes) {
-    std::ranges::sort(values);
-    const auto at = [&sorted = values](double fraction) {
-      const auto count = static_cast<double>(sorted.size());
-      return sorted[static_cast<std::size_t>(std::min(count - 1, fraction * count))];
-    };
+  for (const auto& [im, values] : stripes) {
+    const auto at = [&](double fraction) { return statistics::quantile_of(values, fraction); };
     median.add(im + offset, at(0.5));
     if (std::isinf(at(0.16))) continue;
     band.add(im + offset, at(0.16),

@@ -70,7 +70,7 @@ class ViewDrawing {
         const Vector3 there = position + turn * point;
         seen.emplace_back(there[view_.across], there[view_.up]);
       }
-      polygon(explanation::convex_hull(std::move(seen)),
+      polygon(convex_polygon(std::move(seen)),
               {.stroke = color, .width = 1.2, .fill = color, .opacity = 0.15});
     }
   }

@@ -36,24 +36,6 @@ std::string shortened(const std::string& text) {
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 constexpr double kTick = 4;
 constexpr std::size_t kColors = 7;  // of the palette
 const Pen kAxis{.stroke = "#444444", .width = 0.8};
@@ -469,7 +451,7 @@ void Svg::text(double x, double y, const std::string& text, const TextStyle& sty
       x, y, style.size, anchors[static_cast<int>(style.anchor)], style.color,
       style.bold ? " font-weight=\"bold\"" : "",
       style.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y) : "",
-      escaped(shortened(printable(text))));
+      xml_text(shortened(text)));
 }
 
 void Svg::begin_clip(double x, double y, double width, double height) {
@@ -483,14 +465,14 @@ void Svg::begin_clip(double x, double y, double width, double height) {
 void Svg::begin_group(const std::vector<std::pair<std::string, std::string>>& attributes) {
   body_ += "<g";
   for (const auto& [name, value] : attributes)
-    body_ += fmt::format(" {}=\"{}\"", name, escaped(printable(value)));
+    body_ += fmt::format(" {}=\"{}\"", name, xml_text(value));
   body_ += ">\n";
 }
 
 void Svg::end_group() { body_ += "</g>\n"; }
 
 void Svg::describe(const std::string& text) {
-  body_ = "<desc>" + escaped(printable(text)) + "</desc>\n" + body_;
+  body_ = "<desc>" + xml_text(text) + "</desc>\n" + body_;
 }
 
 std::string Svg::str() const {

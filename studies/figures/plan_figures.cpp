@@ -29,7 +29,7 @@ Curve line(const std::vector<Vector2>& points, const std::string& label, const P
   return curve;
 }
 
-Curve outline(explanation::Polygon polygon, const std::string& label, const Pen& pen) {
+Curve outline(Polygon polygon, const std::string& label, const Pen& pen) {
   if (!polygon.empty()) polygon.push_back(polygon.front());
   return line(polygon, label, pen);
 }
@@ -46,7 +46,7 @@ void add_item(Panel& panel, const PlacedItem& item, std::string name, std::size_
   double front = 0;
   for (const BodyShape& box : item.model.shape)
     front = std::max(front, box.center.x() + box.size.x() / 2);
-  for (const explanation::Polygon& part : explanation::footprint(item, at_start(item))) {
+  for (const Polygon& part : explanation::footprint(item, at_start(item))) {
     panel.curves.push_back(outline(part, name, {.stroke = color, .width = 1.3, .dash = dash}));
     name.clear();
   }
@@ -148,7 +148,7 @@ void add_item(Panel& panel, const playback::RecordedItem& item, std::size_t samp
       front = std::max(front, point.x());
       points.push_back(placed(point));
     }
-    panel.curves.push_back(outline(explanation::convex_hull(points), label, pen));
+    panel.curves.push_back(outline(convex_polygon(points), label, pen));
     label.clear();
   }
   if (!stands(item.orientation[sample])) return;
@@ -173,8 +173,7 @@ Panel plan_of_run(const study::Hdf5Reader& file) {
   for (const playback::RecordedShape& shape : run.room) {
     std::vector<Vector2> points;
     for (const Vector3& point : shape.points) points.push_back(point.head<2>());
-    panel.curves.push_back(
-        outline(explanation::convex_hull(points), "", {.stroke = kWall, .width = 0.8}));
+    panel.curves.push_back(outline(convex_polygon(points), "", {.stroke = kWall, .width = 0.8}));
   }
   for (std::size_t i = 0; i < run.items.size(); ++i) {
     const playback::RecordedItem& item = run.items[i];

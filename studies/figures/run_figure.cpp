@@ -73,7 +73,7 @@ bool is_overhead(const RoomShape& shape) {
 }
 
 /// Above the middle of a polygon, at its edge.
-Vector2 top_of(const explanation::Polygon& polygon) {
+Vector2 top_of(const Polygon& polygon) {
   Vector2 middle = Vector2::Zero();
   double top = -1e9;
   for (const Vector2& p : polygon) {
@@ -94,7 +94,7 @@ class Plan {
   void line(const Vector2& a, const Vector2& b, const Pen& pen) {
     svg_.line(px(a).first, px(a).second, px(b).first, px(b).second, pen);
   }
-  void area(const explanation::Polygon& polygon, const Pen& pen, double fill_opacity) {
+  void area(const Polygon& polygon, const Pen& pen, double fill_opacity) {
     Svg::Points points;
     for (const Vector2& p : polygon) points.push_back(px(p));
     if (!pen.fill.empty())
@@ -176,14 +176,14 @@ void mark_front(Plan& plan, const PlacedItem& item, const Sample& sample,
   const Vector2 origin = at(item, sample, Vector3::Zero());
   const Vector2 ahead = (at(item, sample, Vector3::UnitX()) - origin).normalized();
   double reach = 0;
-  for (const explanation::Polygon& part : explanation::footprint(item, sample))
+  for (const Polygon& part : explanation::footprint(item, sample))
     for (const Vector2& p : part) reach = std::max(reach, (p - origin).dot(ahead));
   plan.arrow(origin + reach * ahead, ahead, color);
 }
 
 void draw_item(Plan& plan, const PlacedItem& item, const Sample& sample, const Pen& outline,
                double fill_opacity) {
-  for (const explanation::Polygon& part : explanation::footprint(item, sample))
+  for (const Polygon& part : explanation::footprint(item, sample))
     plan.area(part, outline, fill_opacity);
   if (!stands(sample)) return;
   const std::string& color = outline.stroke;
@@ -212,7 +212,7 @@ Curve path_of(const PlacedItem& item, const std::vector<Sample>& history, const 
 /// Middle of the boxes of an item.
 Vector2 middle_of(const PlacedItem& item, const Sample& sample) {
   Vector2 low = Vector2::Constant(1e9), high = -low;
-  for (const explanation::Polygon& part : explanation::footprint(item, sample))
+  for (const Polygon& part : explanation::footprint(item, sample))
     for (const Vector2& p : part) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
@@ -292,7 +292,7 @@ Panel fitted_panel(const Scene& scene, const Response& response) {
               .equal_scales = true};
   panel.x_range = {first.x(), first.x()};
   panel.y_range = {first.y(), first.y()};
-  const auto include_all = [&](const explanation::Polygon& polygon) {
+  const auto include_all = [&](const Polygon& polygon) {
     for (const Vector2& p : polygon) include(panel, p);
   };
   for (const RoomShape& shape : scene.room) include_all(explanation::footprint(shape));
@@ -304,8 +304,7 @@ Panel fitted_panel(const Scene& scene, const Response& response) {
     for (const Sample& sample : history)
       if (sample.displacement.allFinite()) include(panel, at(item, sample, Vector3::Zero()));
     for (const Sample* sample : {&history.front(), &explanation::last_finite(history)}) {
-      for (const explanation::Polygon& part : explanation::footprint(item, *sample))
-        include_all(part);
+      for (const Polygon& part : explanation::footprint(item, *sample)) include_all(part);
       for (std::size_t w = 0; w < item.model.casters.size(); ++w) {
         const WheelPlan wheel = wheel_plan(item, w, *sample);
         include(panel, wheel.back);

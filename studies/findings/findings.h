@@ -103,7 +103,8 @@ struct Cell {
   const Format& format_in(const Column& column) const { return format ? *format : column.format; }
 };
 
-/// A key `name{}` makes JSON an object by the first column, any other an array of objects.
+/// A key `name{}` makes JSON an object by the first column, `{}` keys of the object around, any other
+/// an array of objects.
 struct Table {
   std::string key, title;
   std::vector<Column> columns;

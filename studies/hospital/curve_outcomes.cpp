@@ -8,6 +8,7 @@
 
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/config/nearest_name.h"
@@ -325,8 +326,7 @@ class CurveOutcomes : public OutcomeSource {
       // An item on the floor has nowhere to fall.
       if (asked.is_simple() && asked.quantity.column == "time_of_fall") continue;
       if (std::ranges::find(states, name, &State::name) != states.end()) continue;
-      std::vector<std::string> known;
-      for (const State& state : states) known.push_back(state.name);
+      const std::vector<std::string> known = names_of(states);
       missing_[fmt::format("'{}'{}", name, config::near_name(name, known))].insert(item.equipment);
     }
   }

@@ -8,6 +8,7 @@
 
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
@@ -285,8 +286,7 @@ Hospital read_hospital(const std::string& path) {
   std::set<std::string> storeys, names, actions;
   for (Table each : root.tables("storey")) hospital.storeys.push_back(read_storey(each, storeys));
   if (hospital.storeys.empty()) root.note("storey", ": must be given: tables [[storey]]");
-  std::vector<std::string> storey_names;
-  for (const Storey& storey : hospital.storeys) storey_names.push_back(storey.name);
+  const std::vector<std::string> storey_names = names_of(hospital.storeys);
   for (Table each : root.tables("room"))
     hospital.rooms.push_back(read_room(each, storey_names, names));
   if (hospital.rooms.empty()) root.note("room", ": must be given: tables [[room]]");

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/append_all.h"
+#include "engine/base/names.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
@@ -80,8 +82,7 @@ std::map<std::string, int> read_payloads(Table& item,
   std::map<std::string, int> counts;
   auto table = item.table("payloads");
   if (!table) return counts;
-  std::vector<std::string> known;
-  for (const equipment::PayloadKind& kind : description.payloads) known.push_back(kind.name);
+  const std::vector<std::string> known = names_of(description.payloads);
   for (const std::string& name : table->keys()) {
     counts[name] = table->integer(name, 0, kMaxPayloads);
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -97,8 +98,7 @@ std::optional<std::vector<std::string>> read_known(Table& item, const char* key,
                                                    const std::vector<Part>& parts,
                                                    const equipment::ItemDescription& description) {
   if (!item.has(key)) return {};
-  std::vector<std::string> known;
-  for (const Part& part : parts) known.push_back(part.name);
+  const std::vector<std::string> known = names_of(parts);
   std::vector<std::string> names = item.texts(key, true);
   for (auto name = names.begin(); name != names.end(); ++name)
     if (std::ranges::find(known, *name) == known.end())
@@ -422,11 +422,6 @@ struct ItemStep {
   Remarks remarks{};
 };
 
-template <typename T>
-void append(std::vector<T>& list, const std::vector<T>& more) {
-  list.insert(list.end(), more.begin(), more.end());
-}
-
 bool has_a_place(const std::string& line, const equipment::ItemDescription& description) {
   const auto begins_with = [&](const auto& part) {
     return !part.where.empty() && line.starts_with(part.where);
@@ -448,7 +443,7 @@ void note_lines(const Error& error, const equipment::ItemDescription& descriptio
 
 void place(JobItem item, const ItemStep& step, JobParts& job, equipment::Sampler& of) {
   PlacedItem& placed = job.scene.items[step.index];
-  append(job.warnings, step.remarks.warnings);
+  append_all(job.warnings, step.remarks.warnings);
   item.options.floor = job.covering;
   try {
     equipment::LoadedItem loaded = assemble_item(item.description, item.options);
@@ -482,7 +477,7 @@ void read_one(Table& table, ItemStep step, JobReading& job) {
     JobItem sampled = item.sample(own);
     placed.initial = sampled.initial;
     acting.apply(placed, own);
-    append(of_draw.without_effect, step.remarks.without_effect);
+    append_all(of_draw.without_effect, step.remarks.without_effect);
     if (complete) place(std::move(sampled), step, of_draw, of);
   });
 }

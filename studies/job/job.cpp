@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/append_all.h"
 #include "engine/base/units.h"
 #include "engine/config/table.h"
 #include "engine/run/overlaps.h"
@@ -228,7 +229,7 @@ void read_settings(Table& root, JobReading& job) {
       warnings.push_back(in.name_of(key) + ": no effect beside duration_s, which ends the run");
   job.add([settings, warnings](JobParts& of_draw, equipment::Sampler&) {
     of_draw.settings = settings;
-    of_draw.warnings.insert(of_draw.warnings.end(), warnings.begin(), warnings.end());
+    append_all(of_draw.warnings, warnings);
   });
 }
 

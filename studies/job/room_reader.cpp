@@ -10,6 +10,8 @@
 #include <set>
 #include <string>
 
+#include "engine/base/append_all.h"
+#include "engine/base/names.h"
 #include "engine/config/nearest_name.h"
 #include "engine/contact/body_form.h"
 #include "equipment/catalogue/quantity.h"
@@ -35,7 +37,7 @@ struct Surface {
 
 std::vector<equipment::MaterialContact> known_contacts(const JobParts& job) {
   std::vector<equipment::MaterialContact> all = job.room.contacts;
-  all.insert(all.end(), job.usual_contacts.begin(), job.usual_contacts.end());
+  append_all(all, job.usual_contacts);
   return all;
 }
 
@@ -117,8 +119,7 @@ using config::Table;
 /// Index of the item, part or content that `key` names.
 std::size_t read_item(Table& table, const char* key, const std::vector<PlacedItem>& items) {
   const std::string name = table.text(key);
-  std::vector<std::string> known;
-  for (const PlacedItem& item : items) known.push_back(item.name);
+  const std::vector<std::string> known = names_of(items);
   const auto found = std::ranges::find(known, name);
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
   if (table.is_text(key))

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/config/nearest_name.h"
 #include "studies/results/columns.h"
 #include "studies/results/names.h"
@@ -81,13 +82,6 @@ std::vector<LimitState> default_limit_states() {
 
 namespace {
 
-template <class Named>
-std::vector<std::string> names_in(const std::vector<Named>& list) {
-  std::vector<std::string> names;
-  for (const Named& each : list) names.push_back(each.name);
-  return names;
-}
-
 void must_be(const std::string& kind, const std::string& name,
              const std::vector<std::string>& names, const std::string& owner) {
   require(std::ranges::find(names, name) != names.end(),
@@ -97,7 +91,7 @@ void must_be(const std::string& kind, const std::string& name,
 }  // namespace
 
 Places places_of(const Scene& scene) {
-  Places places{item_names(scene), names_in(scene.zones), names_in(scene.tethers), {}};
+  Places places{item_names(scene), names_of(scene.zones), names_of(scene.tethers), {}};
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     for (const std::string& name : point_names(scene.items[i].model))
       places.points.emplace_back(places.items[i], name);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/base/unit_table.h"
 #include "engine/config/document.h"
@@ -107,8 +108,7 @@ void read_event(Table& in, LimitState& state) {
 
 void read_demand(Table& in, LimitState& state) {
   const std::vector<NamedColumn> columns = columns_of(state.quantity.of);
-  std::vector<std::string> names;
-  for (const NamedColumn& column : columns) names.push_back(column.name);
+  const std::vector<std::string> names = names_of(columns);
   const std::size_t errors = in.document().errors();
   const NamedColumn& column = columns[in.choice("demand", names)];
   state.quantity.column = column.name;
@@ -236,8 +236,7 @@ std::vector<std::size_t> read_performance(Table& in, const std::vector<LimitStat
 }
 
 std::size_t index_of(const std::vector<LimitState>& states, const std::string& name) {
-  std::vector<std::string> names;
-  for (const LimitState& state : states) names.push_back(state.name);
+  const std::vector<std::string> names = names_of(states);
   const auto found = std::ranges::find(names, name);
   require(found != names.end(), "no limit state '" + name + "'" + config::suggestion(name, names));
   return static_cast<std::size_t>(found - names.begin());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/names.h"
 #include "engine/base/random/draw.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
@@ -87,8 +88,7 @@ Consequences Consequences::read(config::Document& document) {
       each.note("item", " = \"" + item + "\": has a price already");
   }
   if (all.prices_.empty()) root.note("price", ": must be given: tables [[price]]");
-  std::vector<std::string> names;
-  for (const LimitState& state : all.states_) names.push_back(state.name);
+  const std::vector<std::string> names = names_of(all.states_);
   for (Table each : root.tables("consequence")) {
     Row row{each.choice("limit_state", names), each.texts("items"), read_consequence(each)};
     for (std::size_t i = 0; i < row.items.size(); ++i)

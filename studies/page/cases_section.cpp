@@ -14,6 +14,7 @@
 #include "studies/figures/labels.h"
 #include "studies/page/html.h"
 #include "studies/page/study_page.h"
+#include "studies/render/script_json.h"
 
 namespace gurney::page {
 namespace {
@@ -86,10 +87,6 @@ CaseColumn exceeded(const study::StudyData& data, std::size_t state) {
 bool is_constant(const CaseColumn& column) {
   return std::ranges::all_of(column.values,
                              [&](double value) { return value == column.values.front(); });
-}
-
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
 
 constexpr std::size_t kExtreme = 20;
@@ -191,26 +188,21 @@ std::vector<CaseColumn> case_columns(const study::StudyData& data) {
 }
 
 std::string case_json(const std::vector<CaseColumn>& columns, const std::string& replay) {
-  using Json = nlohmann::json;
-  std::string json = "{\"replay\":" + Json(replay).dump() + ",\"columns\":[";
+  using Json = nlohmann::ordered_json;
+  Json all{{"replay", replay}, {"columns", Json::array()}};
   for (const CaseColumn& column : columns) {
-    if (&column != &columns.front()) json += ",\n";
-    json += fmt::format("{{\"title\":{},\"in_si\":{},\"whole\":{},\"texts\":{},\"values\":[",
-                        Json(column.title).dump(), column.unit.in_si, column.whole,
-                        column.texts.empty() ? "null" : Json(column.texts).dump());
-    for (std::size_t i = 0; i < column.values.size(); ++i)
-      json += (i == 0 ? "" : ",") + number(column.values[i]);
-    json += "]}";
+    Json values = Json::array();
+    for (const double value : column.values)
+      values.push_back(column.whole && std::isfinite(value)
+                           ? Json(static_cast<std::int64_t>(value))
+                           : Json(value));  // null where it is not finite
+    all["columns"].push_back({{"title", column.title},
+                              {"in_si", column.unit.in_si},
+                              {"whole", column.whole},
+                              {"texts", column.texts.empty() ? Json() : Json(column.texts)},
+                              {"values", std::move(values)}});
   }
-  json += "]}";
-  std::string safe;  // no end of the script within
-  for (const char c : json) {
-    if (c == '<')
-      safe += "\\u003c";
-    else
-      safe += c;
-  }
-  return safe;
+  return render::script_json(all);
 }
 
 Section study_cases(const StudyPage& page) {

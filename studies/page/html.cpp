@@ -198,29 +198,7 @@ Html html_of(const Table& table) {
 
 }  // namespace
 
-Html escaped(std::string_view text) {
-  std::string result;
-  for (const char c : printable(text)) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
-  return {result};
-}
+Html escaped(std::string_view text) { return {xml_text(text)}; }
 
 Html element(const std::string& tag, const Html& content, const Attributes& attributes) {
   std::string open = "<" + tag;

@@ -5,7 +5,9 @@
 #include <map>
 #include <optional>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "studies/explanation/words.h"
 #include "studies/figures/explanation_figure.h"
 #include "studies/figures/labels.h"
@@ -145,16 +147,11 @@ std::vector<std::string> cautions_of(const RunFile& run) {
       all.push_back(item + ": " + explanation::sentence(found) + ".");
   if (run.overview.outcome == name_of(Outcome::kStillMoving))
     all.push_back("Something still moved at the end: residual values are not final.");
-  all.insert(all.end(), run.overview.file.warnings.begin(), run.overview.file.warnings.end());
+  append_all(all, run.overview.file.warnings);
   return all;
 }
 
-std::vector<std::string> names_of_demands() {
-  std::vector<std::string> names;
-  for (const study::TableColumn<Demands>& column : study::demand_columns())
-    names.emplace_back(column.name);
-  return names;
-}
+std::vector<std::string> names_of_demands() { return names_of(study::demand_columns()); }
 
 constexpr std::size_t kMostSettled = 3;  // items; of more the table would be too wide
 

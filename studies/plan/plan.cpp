@@ -31,9 +31,9 @@ Plan::Plan(const StudyJob& job, const StudyMotions& motions) {
   for (std::size_t i = 0; i < job.configurations().size(); ++i) {
     const MotionSet& set = motions.set_of(i);
     most_records_ = std::max<std::uint64_t>(most_records_, set.size());
-    require(set.levels(0).size() == motions.set_of(0).levels(0).size(),
-            job.file() +
-                ": excitation.record.suite_by_level: must be of all configurations or of none");
+    if (set.levels(0).size() != motions.set_of(0).levels(0).size())
+      throw Error(job.job(i, std::nullopt).record->where +
+                  ": excitation.record.suite_by_level: must be of all configurations or of none");
   }
   if (stated_draws_ > 0 && (sampling_ == Sampling::kSobol || sampling_ == Sampling::kSaltelli)) {
     streams_ = std::make_shared<Draw::Streams>();

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "studies/job/scale_reader.h"
@@ -236,8 +237,7 @@ std::vector<std::size_t> read_combination(Table& in, const Node& row, std::size_
   }
   std::vector<std::size_t> levels;
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    std::vector<std::string> names;
-    for (const FactorLevel& level : factors[i].levels) names.push_back(level.name);
+    const std::vector<std::string> names = names_of(factors[i].levels);
     const std::string label = label_of(row.elements[i]);
     const auto found = std::ranges::find(names, label);
     if (found == names.end())
@@ -271,12 +271,6 @@ void read_combinations(Table& in, const Node& node, Study& study) {
                                      describe(rows.elements[i])));
     study.combinations.push_back(std::move(levels));
   }
-}
-
-std::vector<std::string> names_of(const std::vector<LimitState>& states) {
-  std::vector<std::string> names;
-  for (const LimitState& state : states) names.push_back(state.name);
-  return names;
 }
 
 void read_ida(Table ida, const std::vector<LimitState>& states, IntensityPlan& plan) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "engine/base/append_all.h"
 #include "engine/base/diagnostics.h"
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
@@ -241,7 +242,7 @@ StudyJob::StudyJob(std::unique_ptr<FileSnapshot> files, std::unique_ptr<Document
       Document tree(configurations_[i].tree, *document_);
       const Job& each = models_.emplace_back(tree).stated();
       std::vector<std::string> idle = output_without_effect(tree, study_);
-      idle.insert(idle.end(), each.without_effect.begin(), each.without_effect.end());
+      append_all(idle, each.without_effect);
       without_effect.meet(idle);
       if (!clean) return;
       refuse_contradictions(tree, each, study_);

@@ -12,6 +12,7 @@
 #include <new>
 #include <utility>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "groundmotions/assembly/plausibility.h"
@@ -256,12 +257,12 @@ GroundMotion MotionSet::facts_of(std::size_t record, const groundmotions::Record
   facts.duration = motion.time_step() * static_cast<double>(motion.samples());
   facts.source = source_of(motion, record);
   facts.record_warnings = facts.warnings = motion.warnings;
-  if (record == 0) facts.warnings.insert(facts.warnings.end(), notes_.begin(), notes_.end());
+  if (record == 0) append_all(facts.warnings, notes_);
   const std::vector<std::string> findings = implausible(motion);
   require(!request_->refuse_implausible || findings.empty(),
           fmt::format("{}: record '{}' is not plausible, and plausibility = \"refuse\":\n{}",
                       request_->where, names_[record], fmt::join(findings, "\n")));
-  facts.warnings.insert(facts.warnings.end(), findings.begin(), findings.end());
+  append_all(facts.warnings, findings);
   for (const KeptMeasure& kept : kept_)
     facts.measures.push_back(
         or_none([&] { return value_of(kept.measure, kept.combination, motion); }));

@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "studies/render/script_json.h"
+
 namespace gurney::playback {
 namespace {
 
@@ -317,14 +319,7 @@ std::string page_data(const std::vector<PageRun>& runs, const std::vector<PageRu
             {"runs", Json::array()}};
   for (const PageRun& each : runs) json["runs"].push_back(json_of(each, every));
   json["ghosts"] = ghosts_json(ghosts, kMaxBytes - base64_bytes(runs) / every);
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string escaped;
-  for (const char c : text)
-    if (c == '<')
-      escaped += "\\u003c";
-    else
-      escaped += c;
-  return escaped;
+  return render::script_json(json);
 }
 
 }  // namespace gurney::playback

@@ -110,7 +110,7 @@ std::vector<std::string> items_in(const RecordedRun& run, const RecordedZone& zo
   place.length = zone.length;
   place.width = zone.width;
   place.angle = zone.angle;
-  const explanation::Polygon area = explanation::footprint(place);
+  const Polygon area = explanation::footprint(place);
   for (const RecordedItem& item : run.items)
     if (std::ranges::any_of(item.boxes, [&](const RecordedShape& box) {
           std::vector<Vector2> points;
@@ -118,7 +118,7 @@ std::vector<std::string> items_in(const RecordedRun& run, const RecordedZone& zo
             const Vector3 there = item.position[sample] + item.orientation[sample] * point;
             points.emplace_back(there.head<2>());
           }
-          return explanation::overlap(explanation::convex_hull(points), area);
+          return explanation::overlap(convex_polygon(points), area);
         }))
       inside.push_back(item.name);
   return inside;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
 #include "engine/base/input_file.h"
@@ -208,7 +209,7 @@ Motion as_motion(const groundmotions::Record& floor, const RecordRequest& reques
   motion.seed = seed_of(request);
   add_building_file(request, motion.facts);
   motion.warnings = floor.warnings;
-  motion.warnings.insert(motion.warnings.end(), left.warnings.begin(), left.warnings.end());
+  append_all(motion.warnings, left.warnings);
   return motion;
 }
 
@@ -223,7 +224,7 @@ Motion motion_of(const groundmotions::Record& raw, const RecordRequest& request)
   const std::vector<std::string> findings = implausible(raw);
   std::vector<std::string> faults = findings;
   const groundmotions::Residual left = groundmotions::residual(motion.floor);
-  faults.insert(faults.end(), left.warnings.begin(), left.warnings.end());
+  append_all(faults, left.warnings);
   require(!request.refuse_implausible || faults.empty(),
           fmt::format("{}: the record is not plausible, and plausibility = \"refuse\":\n{}",
                       request.where, fmt::join(faults, "\n")));
@@ -233,13 +234,9 @@ Motion motion_of(const groundmotions::Record& raw, const RecordRequest& request)
   return motion;
 }
 
-namespace {
-
-void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
-  list.insert(list.end(), more.begin(), more.end());
+std::optional<Motion> motion_of(const Job& job) {
+  return job.record ? std::optional(motion_of(*job.record)) : std::nullopt;
 }
-
-}  // namespace
 
 AssumptionFacts facts_of(const equipment::Assumption& assumption) {
   const bool number = assumption.choice.empty();
@@ -272,13 +269,13 @@ PreparedRun prepare_run(const Job& job, std::optional<Motion> motion) {
   facts.floor = motion->floor.with_rocking_times(job.rotation_factor);
   facts.record = std::move(motion->facts);
   facts.seed = motion->seed;
-  append(facts.warnings, motion->warnings);
+  append_all(facts.warnings, motion->warnings);
   return run;
 }
 
 PreparedRun prepare_run(const std::string& job_path) {
   const Job job = read_job(job_path);
-  return prepare_run(job, job.record ? std::optional(motion_of(*job.record)) : std::nullopt);
+  return prepare_run(job, motion_of(job));
 }
 
 }  // namespace gurney::study

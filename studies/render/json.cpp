@@ -72,7 +72,7 @@ Json table_json(const Table& table, bool by_name) {
 }
 
 /// Takes the mark at the end of a key.
-bool ends_with(std::string& key, const char* mark) {
+bool take_mark(std::string& key, const char* mark) {
   if (!key.ends_with(mark)) return false;
   key.resize(key.size() - 2);
   return true;
@@ -86,8 +86,11 @@ void fill(Json& object, const Section& section) {
       object[list->key] = list->lines;
     if (const auto* table = std::get_if<Table>(&part); table && !table->key.empty()) {
       std::string key = table->key;
-      const bool by_name = ends_with(key, "{}");
-      object[key] = table_json(*table, by_name);
+      const bool by_name = take_mark(key, "{}");
+      if (key.empty())
+        object.update(table_json(*table, by_name));
+      else
+        object[key] = table_json(*table, by_name);
     }
     const auto* inner = std::get_if<Section>(&part);
     if (inner == nullptr) continue;
@@ -98,7 +101,7 @@ void fill(Json& object, const Section& section) {
     }
     Json of = Json::object();
     fill(of, *inner);
-    if (ends_with(key, "[]"))
+    if (take_mark(key, "[]"))
       object[key].push_back(std::move(of));
     else
       object[key] = std::move(of);

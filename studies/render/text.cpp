@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/base/append_all.h"
 #include "engine/base/printable.h"
 #include "studies/render/render.h"
 #include "studies/render/wrapped.h"
@@ -205,7 +206,7 @@ Shown shown_parts(const std::vector<Part>& parts) {
     if (section != nullptr) {
       const Shown inner = shown_parts(section->parts);
       if (titled && !inner.empty()) shown.push_back(&part);
-      if (!titled) shown.insert(shown.end(), inner.begin(), inner.end());
+      if (!titled) append_all(shown, inner);
     } else if (std::visit(
                    [](const auto& of) {
                      if constexpr (std::same_as<std::decay_t<decltype(of)>, Section>)

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "engine/base/append_all.h"
 #include "studies/analysis/fragility_result.h"
 #include "studies/report/formats.h"
 #include "studies/report/study_report.h"
@@ -448,7 +449,7 @@ Section performance_json(const study::PerformanceTable& of) {
   Section all{"performance[]"};
   all.json("configuration", of.configuration).json("im", of.im);
   std::vector<std::string> levels{"none"};
-  levels.insert(levels.end(), of.levels.begin(), of.levels.end());
+  append_all(levels, of.levels);
   for (std::size_t k = 0; k < levels.size(); ++k) {
     std::vector<double> probability;
     for (const auto& at : of.at) probability.push_back(at.of_level[k]);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "engine/base/append_all.h"
 #include "engine/base/hash/sha256.h"
 #include "engine/base/units.h"
 #include "groundmotions/assembly/plausibility.h"
@@ -245,7 +246,7 @@ findings::Section record_report(const groundmotions::Record& record,
   const groundmotions::Summary measures = summary(record, wanted);
   add_measures(all, record, measures);
   std::vector<std::string> warnings = record_findings(record);
-  warnings.insert(warnings.end(), measures.warnings.begin(), measures.warnings.end());
+  append_all(warnings, measures.warnings);
   return all.list("warnings", "warnings", std::move(warnings));
 }
 

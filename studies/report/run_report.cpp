@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "engine/base/names.h"
 #include "engine/response/settled.h"
 #include "studies/build_info/build_info.h"
 #include "studies/explanation/overturning.h"
@@ -99,8 +100,7 @@ Table rows_of(const std::string& key, const std::string& label,
 template <class Row, class Named>
 Table json_rows(const std::string& key, std::span<const study::TableColumn<Row>> columns,
                 const std::vector<Row>& rows, const std::vector<Named>& named) {
-  Texts names;
-  for (const Named& each : named) names.push_back(each.name);
+  const std::vector<std::string> names = names_of(named);
   return rows_of(key, "", columns, 0, names, rows, {}, [](std::size_t, const char*) { return ""; });
 }
 

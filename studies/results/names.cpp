@@ -1,16 +1,8 @@
 #include "studies/results/names.h"
 
+#include "engine/base/names.h"
+
 namespace gurney::study {
-namespace {
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& list) {
-  std::vector<std::string> names;
-  for (const Named& each : list) names.push_back(each.name);
-  return names;
-}
-
-}  // namespace
 
 std::vector<std::string> item_names(const Scene& scene) {
   std::vector<std::string> names;

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/base/append_all.h"
 #include "engine/response/response.h"
 #include "engine/scene/scene.h"
 #include "studies/build_info/build_info.h"
@@ -132,8 +133,8 @@ void add_parts(Hdf5Writer& file, const std::string& name, const std::string& par
   for (std::size_t i = 0; i < response.items.size(); ++i) {
     const std::vector<Row>& of_item = response.items[i].demands.*member;
     const std::vector<std::string> of_model = names_of(scene.items[i].model);
-    rows.insert(rows.end(), of_item.begin(), of_item.end());
-    parts.insert(parts.end(), of_model.begin(), of_model.end());
+    append_all(rows, of_item);
+    append_all(parts, of_model);
     items.insert(items.end(), of_item.size(), names[i]);
   }
   Table table(file, name, rows.size());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "studies/run/study_identity.h"
@@ -68,7 +69,7 @@ ShardFolders::ShardFolders(fs::path folder, const std::string& identity, std::si
         std::make_unique<PartFolder>(path, identity, tasks, PartFolder::Start::kResume, shard));
     shards_.push_back(shard);
     const PartFolder& parts = *folders_.back();
-    warnings_.insert(warnings_.end(), parts.warnings().begin(), parts.warnings().end());
+    append_all(warnings_, parts.warnings());
     for (std::size_t task = 0; task < tasks; ++task)
       if (of_task_[task] == kNone && parts.has(task)) of_task_[task] = folders_.size() - 1;
   }

@@ -16,6 +16,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/hash/sha256.h"
+#include "engine/base/names.h"
 #include "studies/plan/study_job.h"
 #include "studies/prepare/run_job.h"
 #include "studies/results/growing_table.h"
@@ -36,22 +37,15 @@ struct ConfigurationNames {
   std::vector<std::string> variables;                    ///< that are drawn
 };
 
-template <class Named>
-std::vector<std::string> names_in(const std::vector<Named>& list) {
-  std::vector<std::string> names;
-  for (const Named& each : list) names.push_back(each.name);
-  return names;
-}
-
 std::vector<ConfigurationNames> names_of(const Batch& batch) {
   std::vector<ConfigurationNames> all;
   for (std::size_t i = 0; i < batch.job.configurations().size(); ++i) {
     const Scene scene = batch.job.job(i, {}).scene;
     ConfigurationNames& names = all.emplace_back();
     names.items = item_names(scene);
-    names.zones = names_in(scene.zones);
-    names.tethers = names_in(scene.tethers);
-    names.shapes = names_in(scene.room);
+    names.zones = gurney::names_of(scene.zones);
+    names.tethers = gurney::names_of(scene.tethers);
+    names.shapes = gurney::names_of(scene.room);
     for (const PlacedItem& item : scene.items) {
       names.wheels.push_back(caster_names(item.model));
       names.points.push_back(point_names(item.model));

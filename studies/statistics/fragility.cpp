@@ -195,12 +195,6 @@ Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen
 }
 
 ProbitFit fit_probit(const std::vector<Stripe>& stripes) {
-  return fit_line(stripes,
-                  [&](const Eigen::Vector2d& line) { return binomial_likelihood(stripes, line); });
-}
-
-ProbitFit fit_line(const std::vector<Stripe>& stripes,
-                   const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood) {
   const Extremes at(stripes);
   const bool hits = at.highest_hit > 0, misses = at.highest_miss > 0;
   if (!hits && !misses) return {};
@@ -226,6 +220,9 @@ ProbitFit fit_line(const std::vector<Stripe>& stripes,
   for (const Stripe& stripe : stripes)
     squares += stripe.runs * std::pow(std::log(stripe.im) - middle, 2);
   const double slope = 1 / std::sqrt(squares / runs);
+  const auto likelihood = [&](const Eigen::Vector2d& line) {
+    return binomial_likelihood(stripes, line);
+  };
   const auto maximum = maximize<2>(likelihood, {slope, -slope * middle});
   if (!maximum.found) return without_line(FragilityStatus::kNotIncreasing, 0, kInfinity);
   ProbitFit fit;
@@ -336,22 +333,11 @@ double deviance_of(const ProbitFit& fit, const std::vector<Stripe>& stripes) {
 
 }  // namespace
 
-std::optional<FitCheck> check_fit(const std::vector<Stripe>& stripes, int resamples,
-                                  std::uint64_t seed) {
+std::optional<double> p_of_fit(const std::vector<Stripe>& stripes, int resamples,
+                               std::uint64_t seed) {
   const ProbitFit fit = fit_probit(stripes);
   if (fit.status != FragilityStatus::kFitted || stripes.size() < 3) return {};
-  FitCheck check;
-  check.degrees = static_cast<int>(stripes.size()) - 2;
-  for (const Stripe& stripe : stripes) {
-    const double z = fit.score(stripe.im);
-    const double variance = stripe.runs * normal_cdf(z) * normal_cdf(-z);
-    const double away = stripe.exceeded - stripe.runs * normal_cdf(z);
-    if (away != 0) check.pearson += away * away / variance;
-  }
-  check.deviance = deviance_of(fit, stripes);
-  check.p_pearson = chi_squared_survival(check.pearson, check.degrees);
-  check.p_deviance = chi_squared_survival(check.deviance, check.degrees);
-
+  const double deviance = deviance_of(fit, stripes);
   int as_large = 0, fitted = 0;
   for (int i = 0; i < resamples; ++i) {
     std::vector<Stripe> drawn = stripes;
@@ -366,10 +352,9 @@ std::optional<FitCheck> check_fit(const std::vector<Stripe>& stripes, int resamp
     if (again.status != FragilityStatus::kFitted) continue;
     ++fitted;
     // Equal counts give deviances that differ by rounding.
-    if (deviance_of(again, drawn) >= check.deviance * (1 - 1e-9)) ++as_large;
+    if (deviance_of(again, drawn) >= deviance * (1 - 1e-9)) ++as_large;
   }
-  check.p_simulated = (1.0 + as_large) / (1.0 + fitted);
-  return check;
+  return (1.0 + as_large) / (1.0 + fitted);
 }
 
 std::vector<double> isotonic(const std::vector<double>& values,

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -98,10 +97,6 @@ ProbitFit fit_probit(const std::vector<Stripe>& stripes);
 /// The ln likelihood of a line (slope, intercept) and its derivatives; concave.
 Quadratic<2> binomial_likelihood(const std::vector<Stripe>& stripes, const Eigen::Vector2d& line);
 
-/// Does so for another likelihood of (slope, intercept) that is concave, such as the logistic one.
-ProbitFit fit_line(const std::vector<Stripe>& stripes,
-                   const std::function<Quadratic<2>(const Eigen::Vector2d&)>& likelihood);
-
 /// Covariance of the line that allows for dependence within groups (Liang & Zeger 1986, Biometrika
 /// 73(1), 13-22): (G - 1) / G sum u_g u_g', u_g = (I - I_g)^-1 s_g with s_g the score and I_g the
 /// information of group g. Without I_g it is too small for few groups, whose scores the fit has
@@ -147,22 +142,14 @@ FragilityFit fit_fragility(const StripeTable& table);
 /// Covariance of (ln theta, ln beta) from that of (slope, intercept), by the delta method.
 Eigen::Matrix2d covariance_of_curve(const Eigen::Vector2d& line, const Eigen::Matrix2d& covariance);
 
-/// How well the fitted curve describes the stripes.
-struct FitCheck {
-  double pearson = 0;   ///< sum (k - n p)^2 / (n p (1 - p))
-  double deviance = 0;  ///< likelihood ratio against a probability of its own for each stripe
-  int degrees = 0;      ///< stripes - 2
-  double p_pearson = 1, p_deviance = 1;  ///< of chi-squared; true where counts are large
-  double p_simulated = 1;  ///< of the deviance, from counts drawn with the fitted curve
-};
-
-/// Pearson's and the likelihood-ratio statistic (McCullagh & Nelder 1989, Generalized linear
-/// models, chapter 4), and the parametric bootstrap of the second (Davison & Hinkley 1997,
-/// section 4.2), p = (1 + number of resamples with at least the deviance) / (1 + resamples), for
-/// small counts. All suppose independent runs: where runs of one record are alike p is too small or
-/// too large. None unless the fit is kFitted on three stripes or more.
-std::optional<FitCheck> check_fit(const std::vector<Stripe>& stripes, int resamples = 999,
-                                  std::uint64_t seed = 1);
+/// How likely the deviance of the stripes, the likelihood ratio against a probability of its own for each
+/// (McCullagh & Nelder 1989, Generalized linear models, chapter 4), is under the fitted curve: its
+/// parametric bootstrap (Davison & Hinkley 1997, section 4.2), p = (1 + number of resamples with at
+/// least the deviance) / (1 + resamples), which holds for small counts. It supposes independent runs:
+/// where runs of one record are alike p is too small or too large. None unless the fit is kFitted on
+/// three stripes or more.
+std::optional<double> p_of_fit(const std::vector<Stripe>& stripes, int resamples = 999,
+                               std::uint64_t seed = 1);
 
 /// The nondecreasing values nearest to `values` in weighted squares, by pooling adjacent violators
 /// (Ayer et al. 1955, Annals of Mathematical Statistics 26(4), 641-647).

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/quantiles.h"
@@ -172,7 +173,7 @@ std::vector<SobolIndices> sobol_indices(const std::vector<double>& a, const std:
     require(ab[i].size() == a.size(),
             fmt::format("AB[{}] has {} runs: must be {}", i, ab[i].size(), a.size()));
   std::vector<double> both = a;
-  both.insert(both.end(), b.begin(), b.end());
+  append_all(both, b);
   if (!(moments_of(both).variance > 0)) return {};
   std::vector<SobolIndices> indices;
   for (const std::vector<double>& column : ab) {

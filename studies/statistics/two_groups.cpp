@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "engine/base/append_all.h"
 #include "engine/base/random/normal_draw.h"
 #include "studies/statistics/fragility.h"
 #include "studies/statistics/quantiles.h"
@@ -72,7 +73,7 @@ double best_log_likelihood(const std::vector<Capacity>& seen) {
 template <class Seen>
 double likelihood_ratio(const std::vector<Seen>& a, const std::vector<Seen>& b) {
   std::vector<Seen> both = a;
-  both.insert(both.end(), b.begin(), b.end());
+  append_all(both, b);
   return std::max(
       0.0, 2 * (best_log_likelihood(a) + best_log_likelihood(b) - best_log_likelihood(both)));
 }

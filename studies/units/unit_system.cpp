@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/unit_table.h"
 #include "engine/config/nearest_name.h"
 
@@ -36,11 +37,7 @@ UnitSystem::UnitSystem(const std::string& name) {
   throw Error(fmt::format("no units '{}'{}", name, config::suggestion(name, known)));
 }
 
-std::vector<std::string> UnitSystem::names() {
-  std::vector<std::string> all;
-  for (const Row& row : kRows) all.emplace_back(row.name);
-  return all;
-}
+std::vector<std::string> UnitSystem::names() { return names_of(kRows); }
 
 UnitSystem UnitSystem::or_else(const char* name) const {
   return chosen() ? *this : UnitSystem(name);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/base/append_all.h"
 #include "engine/base/error.h"
 #include "engine/base/random/draw.h"
 
@@ -16,8 +17,7 @@ std::vector<Case> combinations(const std::vector<std::vector<Case>>& lists) {
     for (const Case& begun : all)
       for (const Case& next : list) {
         longer.push_back({begun.name + next.name, begun.values});
-        longer.back().values.insert(longer.back().values.end(), next.values.begin(),
-                                    next.values.end());
+        append_all(longer.back().values, next.values);
       }
     all = std::move(longer);
   }

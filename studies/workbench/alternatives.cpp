@@ -24,9 +24,7 @@ namespace {
 study::RunFacts facts_of(const std::string& text) {
   config::Document document(text, kJob);
   const study::Job job = study::read_job(document);
-  return study::prepare_run(
-             job, job.record ? std::optional(study::motion_of(*job.record)) : std::nullopt)
-      .facts;
+  return study::prepare_run(job, study::motion_of(job)).facts;
 }
 
 /// A key of a table of the job, or of an `[[item]]`, and its value as it is written.

@@ -65,7 +65,7 @@ Json outline_of(const BodyShape& shape, const InitialMotion& of, const InitialMo
   }
   std::vector<Vector2> seen;
   for (const Vector3& point : outline_points(shape)) seen.push_back(point.head<2>());
-  for (const Vector2& corner : explanation::convex_hull(std::move(seen))) add(corner);
+  for (const Vector2& corner : convex_polygon(std::move(seen))) add(corner);
   return corners;
 }
 

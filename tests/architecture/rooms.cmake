@@ -84,7 +84,7 @@ set(GURNEY_ROOMS
     studies/loss studies/hospital studies/convergence studies/calibration/trials
     studies/calibration/fit studies/calibration/pulling
     studies/findings studies/render studies/explanation"
-  "studies/playback: engine/base engine/response studies/results studies/explanation"
+  "studies/playback: engine/base engine/response studies/results studies/render studies/explanation"
   "studies/figures: engine/base engine/scene engine/response groundmotions/record
     groundmotions/measures groundmotions/scaling groundmotions/selection equipment/catalogue
     studies/statistics studies/verification studies/units studies/results studies/analysis
@@ -93,7 +93,8 @@ set(GURNEY_ROOMS
   "studies/picture: engine/base"
   "studies/page: engine/base engine/config engine/scene engine/run equipment/catalogue studies/build_info
     studies/job studies/units studies/results studies/plan
-    studies/analysis studies/findings studies/loss studies/report studies/figures studies/explanation"
+    studies/analysis studies/findings studies/loss studies/render studies/report studies/figures
+    studies/explanation"
   "studies/doctor: engine/base equipment/catalogue studies/build_info studies/results
     studies/run studies/picture"
   "studies/templates: engine/base"
@@ -111,7 +112,7 @@ set(GURNEY_ROOMS
     studies/results
     studies/prepare studies/limit_states studies/plan studies/run
     studies/analysis studies/loss studies/hospital studies/exports studies/calibration/fit
-    studies/calibration/pulling studies/render studies/report studies/figures
+    studies/calibration/pulling studies/findings studies/render studies/report studies/figures
     studies/explanation studies/picture
     studies/page studies/playback studies/doctor studies/templates")
 
@@ -122,7 +123,7 @@ set(GURNEY_LIBRARIES
   "openssl/: engine/base"
   "boost/: engine/base groundmotions/synthetic studies/statistics"
   "hdf5|H5: studies/results/hdf5_"
-  "nlohmann/: engine/config groundmotions/formats/event_file studies/exports studies/render studies/report
+  "nlohmann/: engine/config groundmotions/formats/event_file studies/exports studies/render
     studies/page studies/playback studies/workbench studies/cli"
   "cairo|librsvg/: studies/picture/picture"
   "CLI/: studies/cli"

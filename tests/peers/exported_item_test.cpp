@@ -231,9 +231,9 @@ Paths mujoco_paths(const equipment::LoadedItem& item) {
 
 // A pole that bends under bags that swing, on a foot that shakes, and a patient on a mattress: MuJoCo's
 // reduced coordinates and Runge-Kutta steps beside ours. Ours is of second order, so its error is a third
-// of the difference to twice the step; a joint yields by 1e-5 of its lever of up to 2 m (docs/theory/parts.md). MuJoCo holds the acceleration
-// for a step h: (2 pi 1.1 h)^2 / 24 = 5e-7 of the ways. Latches are not exported, and dry friction has
-// MuJoCo's own law: these items have none.
+// of the difference to twice the step; a joint yields by 1e-5 of its lever of up to 2 m
+// (docs/theory/parts.md). MuJoCo holds the acceleration for a step h: (2 pi 1.1 h)^2 / 24 = 5e-7 of
+// the ways. Latches are not exported, and dry friction has MuJoCo's own law: these items have none.
 TEST(ExportedParts, SwingAsOursInMujoco) {
   constexpr double kYield = 2e-5;
   for (const auto& [name, variant] : {std::pair("infusion_pole", "flexible pole and bags"),

@@ -154,8 +154,9 @@ struct Snatch {
 };
 
 /// The largest tension is the strength to a stretch of 1 nm whatever the step. With omega^2 = 2 k / m, as stiff as the
-/// law gets, a method of second order errs by (omega dt)^2 of the motion since the cord got taut, and by the kink within
-/// one step; the reference by its own step. Breaking at the end of a step would be late by half of one, 2 ms.
+/// law gets, a method of second order errs by (omega dt)^2 of the motion since the cord got taut,
+/// and by the kink within one step; the reference by its own step. Breaking at the end of a step
+/// would be late by half of one, 2 ms.
 TEST(Tether, BreaksWhenDampingAndSpringTogetherReachItsStrength) {
   const Snatch snatch;
   Scene scene = blocks::block(snatch.mass, {0.4, 0.4, 0.5}, {.friction = 0});

@@ -531,7 +531,7 @@ Breakaway breakaway_of(const Trial& trial) {
         "mu_k is excluded: it accelerates by {:.2g} m/s2, so that mu_k depends on the height of "
         "the center of mass, {:.2g} % for one of 0 to {:g} m: center_of_mass_height_mm states it",
         motion.acceleration, 100 * unknown / kinetic.value, kHighestCenter);
-  return {peak.value, locked && !axle, kinetic.value, peak.error, kinetic.error, onset->time, lost};
+  return {peak.value, locked && !axle, kinetic.value, peak.error, kinetic.error, lost};
 }
 
 }  // namespace gurney::calibration

@@ -17,7 +17,6 @@ struct Breakaway {
   bool peak_bounds = false;  ///< mu_s is `peak` or more
   double moving = 0;         ///< Cr / R, or mu_k
   double peak_error = 0, moving_error = 0;
-  double moved_at = 0;      ///< [s]
   std::string moving_lost;  ///< why mu_k is not determined; empty: it is
 };
 

@@ -10,6 +10,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/files.h"
+#include "engine/base/names.h"
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
@@ -51,11 +52,7 @@ const std::array<Column, 14>& columns() {
   return table;
 }
 
-std::vector<std::string> column_names() {
-  std::vector<std::string> names;
-  for (const Column& column : columns()) names.push_back(column.name);
-  return names;
-}
+std::vector<std::string> column_names() { return names_of(columns()); }
 
 /// The columns of the header; nullptr for those that are unknown.
 std::vector<const Column*> find_columns(const CsvText& text, CsvErrors& errors) {

@@ -64,8 +64,9 @@ TEST(Replicas, AreHeavierOrLighterByWhatNobodyCanMeasure) {
 }
 
 // A motion under which some overturn. With masses that grow by 1e-9 from one replica to the next, 45 of
-// the first 45 and 14 of the other 45 overturned under one like it. Of independent replicas the halves differ by no more than 3.5 standard
-// deviations of the hypergeometric distribution, 1 in 2000.
+// the first 45 and 14 of the other 45 overturned under one like it. Of independent replicas the
+// halves differ by no more than 3.5 standard deviations of the hypergeometric distribution, 1 in
+// 2000.
 TEST(Replicas, HalvesAreAlike) {
   constexpr int kHalf = 45, kMotion = 158, kMotions = 170;
   const Regime& regime = kRegimes[4];

@@ -56,6 +56,34 @@ const BodyShape kCylinder = cylinder_shape({0, 0, 0}, {Vector3::UnitZ(), 0.1, 0.
 const BodyShape kHull =
     hull_shape({{-0.2, -0.2, -0.1}, {0.3, -0.1, -0.1}, {0, 0.25, -0.1}, {0.05, 0, 0.3}});
 
+// A solid and a cylinder have the same points whichever comes first, where they approach and where
+// they part: along which of several axes they meet depends on the motion.
+TEST(RoundPoints, AreTheSameWhicheverBodyIsNamedFirst) {
+  std::mt19937 random(3);
+  const auto vector = [&](double size) {
+    return Vector3(uniform(random, -size, size), uniform(random, -size, size),
+                   uniform(random, -size, size));
+  };
+  const auto gaps = [](const BodyForm& a, const BodyForm& b, const Vector3& motion) {
+    std::vector<FacingPoint> points;
+    form_points(a, b, motion, 0.3, points);
+    std::vector<double> all;
+    for (const FacingPoint& point : points) all.push_back(point.gap);
+    return all;
+  };
+  int by_motion = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto turned = [&] { return Quaternion(1, 0, 0, 0.3) * Quaternion(1, 0.2, 0.1, 0); };
+    const BodyForm box = placed(kBox, turned().normalized(), vector(0.4));
+    const BodyForm column = placed(kCylinder, Quaternion::Identity(), vector(0.4));
+    const Vector3 motion = vector(0.3);
+    const std::vector<double> solid_first = gaps(box, column, motion);
+    ASSERT_EQ(solid_first, gaps(column, box, -motion)) << i;
+    by_motion += solid_first != gaps(box, column, -motion);
+  }
+  EXPECT_GT(by_motion, 10);
+}
+
 // Two points of two convex bodies are at least as far apart as these are, and a plane between them leaves no
 // more than that: where the points that are found are as far apart as the plane across them leaves, they are
 // the distance. Of spheres always; of cylinders exactly where sides, ends and corners are nearest, and where

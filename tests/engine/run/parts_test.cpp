@@ -264,6 +264,11 @@ TEST(Parts, RefusesWhatStandsOnlyUntilItIsTouched) {
     EXPECT_THAT(refused(kind, Vector3::UnitZ(), 0.7 * weight),
                 HasSubstr("item 'base' does not come to rest: its part 'mast' stands upright"));
     EXPECT_EQ(refused(kind, Vector3::UnitZ(), 1.3 * weight), "");
+    // (m h^2 + I) a'' = (m g h - k) a: what falls as exp(t) or slower counts as resting.
+    const double inertia = 2 * (0.5 * 0.5 + 0.1 * 0.1 / 6);
+    EXPECT_EQ(refused(kind, Vector3::UnitZ(), weight - 0.95 * inertia), "");
+    EXPECT_THAT(refused(kind, Vector3::UnitZ(), weight - 1.05 * inertia),
+                HasSubstr("stands upright"));
   }
   EXPECT_THAT(refused(Kind::kHinge, Vector3::UnitX(), 0), HasSubstr("stands upright"));
   EXPECT_EQ(refused(Kind::kHinge, Vector3::UnitZ(), 0), "");
@@ -349,8 +354,8 @@ TEST(Parts, ContentsSlideOnATableAsOnTheFloor) {
   EXPECT_NEAR(table.residual_displacement, floor.residual_displacement, 1e-5);
 }
 
-// Likewise of Housner's rocking on its top: a slender content meets the table with the same corners. It leaves the table,
-// on which it has ridden, at the start of a step: 0.5 ms.
+// Likewise of Housner's rocking on its top: a slender content meets the table with the same
+// corners. It leaves the table, on which it has ridden, at the start of a step: 0.5 ms.
 TEST(Parts, ContentsRockOnATableAsOnTheFloor) {
   ContactConstants constants;
   constants.friction = 0.8;

@@ -348,9 +348,10 @@ TEST(Riders, BearNineTenthsOfWhatHoldsThem) {
   EXPECT_FALSE(box.bears({0, 0, 0}, Vector3::Zero()));
 }
 
-// A body that leaves is where the springs below it bear the wrench that has held it: their compressions and deflections,
-// and its place, from which those follow. It turns by 9e-6 m over 0.2 m: what is of second order in this, 4e-10 m
-// and 4e-5 of the wrench, is left out. With the centre of pressure at the edge the two points behind part.
+// A body that leaves is where the springs below it bear the wrench that has held it: their
+// compressions and deflections, and its place, from which those follow. It turns by 9e-6 m over 0.2
+// m: what is of second order in this, 4e-10 m and 4e-5 of the wrench, is left out. With the centre
+// of pressure at the edge the two points behind part.
 TEST(Riders, LeaveWithTheWrenchInTheirContacts) {
   constexpr double kStiffness = 1e7, kTangential = 0.8 * kStiffness;
   for (const double off : {0.02, 0.08, 0.0999}) {
@@ -433,8 +434,9 @@ FloorMotion slow_sine(double size, double duration) {
   return {0.001, a};
 }
 
-// A drawer of 40 kg on a latch of 20 N is a soft one, 11 rad/s on its 0.1 mm, damped by 6 %. At 0.95 F / m it has left its
-// ride and holds still, from where its latch bore it: a step of its load would open it at half of its strength.
+// A drawer of 40 kg on a latch of 20 N is a soft one, 11 rad/s on its 0.1 mm, damped by 6 %. At
+// 0.95 F / m it has left its ride and holds still, from where its latch bore it: a step of its load
+// would open it at half of its strength.
 TEST(Riders, LeaveTheirLatchesLoaded) {
   Scene scene = blocks::block(400, {1, 1, 0.5}, rough(0.9));
   scene.items[0].name = "block";
@@ -457,8 +459,8 @@ TEST(Riders, LeaveTheirLatchesLoaded) {
   EXPECT_GT(peak(1.05), 0.01);
 }
 
-// A heavy box on a light one on a middle one. As the lowest leaves its table, the boxes that ride on it go down with it:
-// by some micrometres, whose weight is in the energy balance.
+// A heavy box on a light one on a middle one. As the lowest leaves its table, the boxes that ride
+// on it go down with it: by some micrometres, whose weight is in the energy balance.
 TEST(Riders, TakeAlongWhatRidesOnThem) {
   Scene scene = blocks::block(400, {1, 1, 0.5}, rough(0.9));
   scene.items[0].name = "table";

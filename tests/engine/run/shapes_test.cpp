@@ -101,6 +101,19 @@ TEST(Shapes, AHullOfABoxMeetsAWallAndABoxAsTheBox) {
   }
 }
 
+// Steps of 1/32 of pi sqrt(m_c / 8 k): m_c = m / 4 acts at a corner, and eight corners touch wall and floor. The block
+// itself on the four corners of the wall has half a period of pi sqrt(m / 4 k), 2 sqrt(2) as long; where 0.3 of its
+// speed is given back, damping makes that some 2.5 times as long.
+TEST(Shapes, ABlowTakesTheStepsOfItsHalfPeriod) {
+  Scene scene = blocks::block(100, {1, 1, 1}, rough(0));
+  scene.items[0].initial.velocity = {1, 0, 0};
+  blocks::add_wall(scene, 0.7, rough(0, 0.3));
+  const Response response = simulate(scene, {}, blocks::run_for(0.4, 0.004, 0.1));
+  ASSERT_EQ(response.impacts.size(), 1u);
+  EXPECT_GT(response.quality.event_steps, 32 * 2.8);
+  EXPECT_LT(response.quality.event_steps, 32 * 2.8 * 4);
+}
+
 struct Roller {
   const char* name;
   BodyShape shape;

@@ -108,13 +108,5 @@ TEST(Support, OneAndTwoWheelsEndAtTheWheel) {
   EXPECT_NEAR(towards(two, {0, 0}, 90), 0, kRounding);
 }
 
-TEST(Support, TheHullGoesAroundAndLeavesOutWhatLiesInside) {
-  std::vector<Support> supports = kRectangle;
-  supports.push_back({{0, 0}, 0});
-  supports.push_back({{0, 0.2}, 0});  // on an edge
-  const std::vector<Vector2> expected = {{-0.3, -0.2}, {0.3, -0.2}, {0.3, 0.2}, {-0.3, 0.2}};
-  EXPECT_EQ(hull_of(supports), expected);
-}
-
 }  // namespace
 }  // namespace gurney::equipment

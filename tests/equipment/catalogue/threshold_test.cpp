@@ -199,9 +199,10 @@ bool trips(Trial run) {
 }
 
 // Against a kerb as high as the axles. Found by bisection, items fall from 0.86 to 1.03 of Mallet's
-// speed on, the hospital bed from 0.78; the bounds are 0.70 to 0.88 (X-ray unit and the other bed 0.53 and 0.56) and 0.41. Above, forks that
-// swing and wheels that leave the kerb are not in the formula: 15 % are left for them. Beds and the
-// X-ray unit are longer than high and would have to come with 4 m/s and more.
+// speed on, the hospital bed from 0.78; the bounds are 0.70 to 0.88 (X-ray unit and the other bed
+// 0.53 and 0.56) and 0.41. Above, forks that swing and wheels that leave the kerb are not in the
+// formula: 15 % are left for them. Beds and the X-ray unit are longer than high and would have to
+// come with 4 m/s and more.
 TEST_P(OverAThreshold, TripsAtAKerbFromMalletsSpeedOn) {
   const Tripping item = tripping(trial(GetParam(), kLow, false).scene.items[0].model);
   EXPECT_FALSE(trips(trial(GetParam(), {item.radius, 0.99 * item.least}, false))) << item.least;

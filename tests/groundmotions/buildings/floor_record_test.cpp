@@ -260,6 +260,18 @@ TEST(FloorRecord, VibratesOnUntilItIsQuiet) {
                                                  "samples every 0.005 s"));
 }
 
+// Isolators of 3 s: quiet for a period of theirs, 600 samples of 0.005 s, and louder before that.
+TEST(FloorRecord, AnIsolatedOneIsQuietForAPeriodOfItsIsolators) {
+  Building building = isolated(linear_isolation(3, 0.1));
+  building.axes[2].clear();
+  Record one = ground();
+  one.components[1].reset();
+  const Eigen::VectorXd roof = samples(floor_record(one, building, 2), Direction::kH1);
+  const double quiet = 0.01 * roof.cwiseAbs().maxCoeff();
+  EXPECT_LE(roof.tail(600).cwiseAbs().maxCoeff(), quiet);
+  EXPECT_GT(roof.tail(603).cwiseAbs().maxCoeff(), quiet);
+}
+
 TEST(FloorRecord, MotionThatNeverEndsIsCut) {
   Building building = two_storeys();
   set_damping(building.axes[0], 0);

@@ -38,16 +38,21 @@ TEST(Eurocode8Spectrum, HasItsFourBranches) {
                "defined at 4.1 s, only from 0 to 4 s");
 }
 
-// Plateau S * 2.5 and its end, as tables 3.2 and 3.3 have them.
+// Plateau S * 2.5, half of the way to it, and its end, as tables 3.2 and 3.3 have them; beyond T_D as 1 / T^2.
 TEST(Eurocode8Spectrum, HasTheValuesOfItsTables) {
   const double soil[2][5] = {{1.0, 1.2, 1.15, 1.35, 1.4}, {1.0, 1.35, 1.5, 1.8, 1.6}};
+  const double tb[2][5] = {{0.15, 0.15, 0.2, 0.2, 0.15}, {0.05, 0.05, 0.1, 0.1, 0.05}};
   const double tc[2][5] = {{0.4, 0.5, 0.6, 0.8, 0.5}, {0.25, 0.25, 0.25, 0.3, 0.25}};
+  const double td[2] = {2, 1.2};
   for (int type = 1; type <= 2; ++type)
     for (int k = 0; k < 5; ++k) {
       const TargetSpectrum s = eurocode8_spectrum(
           {.type = type, .ground = static_cast<char>('A' + k), .ground_acceleration = 1});
+      EXPECT_NEAR(s.at(tb[type - 1][k] / 2), 1.75 * soil[type - 1][k], 1e-12);
+      EXPECT_NEAR(s.at(tb[type - 1][k]), 2.5 * soil[type - 1][k], 1e-12);
       EXPECT_NEAR(s.at(tc[type - 1][k]), 2.5 * soil[type - 1][k], 1e-12);
       EXPECT_NEAR(s.at(1), 2.5 * soil[type - 1][k] * tc[type - 1][k], 1e-12);
+      EXPECT_NEAR(s.at(3), 2.5 * soil[type - 1][k] * tc[type - 1][k] * td[type - 1] / 9, 1e-12);
     }
 }
 
@@ -116,6 +121,10 @@ TEST(Nzs1170Spectrum, GrowsNearFaultsAndIsLimited) {
   EXPECT_NEAR(strong.at(0.2), 2.93 * 0.7 * kG, 1e-9);
   EXPECT_ERROR(nzs1170_spectrum({.site_class = 'F', .hazard = 0.4}),
                "site subsoil class 'F': must be A, B, C, D or E");
+  for (const Nzs1170& wrong : {Nzs1170{.site_class = 'C', .hazard = 0},
+                               {.site_class = 'C', .hazard = 0.4, .return_period = 0},
+                               {.site_class = 'C', .hazard = 0.4, .fault_distance = -1}})
+    EXPECT_ERROR(nzs1170_spectrum(wrong), "Z and R must be > 0, D >= 0");
 }
 
 TEST(Ac156Spectrum, IsThatOfItsFrequencies) {

@@ -27,7 +27,7 @@ TEST(Flatfile, IsRecognisedByItsHeader) {
 TEST(Flatfile, HasRecordsAndTheirSpectra) {
   const SourceFile file("data/f.csv", kHeader +
                                           "1063,Northridge-01,\"Rinaldi, Sta\",NORTHR\\RRS228.AT2,"
-                                          "NORTHR\\RRS318.AT2,-999,0.1,0.9,1,4,0.25\n"
+                                          "NORTHR\\RRS318.AT2,-999,0.1,0.9,2,8,0.25\n"
                                           "2,A,B,x.AT2,y.AT2,z.AT2,0.1,0.1,-999,-999,-999\n");
   const Flatfile f = read_flatfile(file, kPeriods);
   ASSERT_EQ(f.suite.records.size(), 1u);
@@ -40,8 +40,8 @@ TEST(Flatfile, HasRecordsAndTheirSpectra) {
                                    testing::Pair("station", "Rinaldi, Sta"),
                                    testing::Pair("lowest usable frequency [Hz]", "0.1")));
   const double ln_g = std::log(kStandardGravity);
-  EXPECT_NEAR(f.ln_spectra(0, 0), ln_g, 1e-12);
-  EXPECT_NEAR(f.ln_spectra(0, 1), ln_g + std::log(2.), 1e-12);  // half way in ln T
+  EXPECT_NEAR(f.ln_spectra(0, 0), ln_g + std::log(2.), 1e-12);
+  EXPECT_NEAR(f.ln_spectra(0, 1), ln_g + std::log(4.), 1e-12);  // half way in ln T
   EXPECT_NEAR(f.ln_spectra(0, 2), ln_g + std::log(0.25), 1e-12);
   EXPECT_THAT(f.suite.notes, testing::ElementsAre(testing::HasSubstr(
                                  "1 records without a spectrum at the periods are excluded")));

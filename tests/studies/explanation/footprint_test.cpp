@@ -17,11 +17,6 @@ std::pair<Vector2, Vector2> bounds(const Polygon& polygon) {
   return {low, high};
 }
 
-TEST(ConvexHull, LeavesOutWhatIsInside) {
-  EXPECT_EQ(convex_hull({{0, 0}, {2, 0}, {1, 0.5}, {2, 2}, {1, 0}, {0, 2}}).size(), 4u);
-  EXPECT_EQ(convex_hull({{0, 0}, {1, 1}}).size(), 2u);
-}
-
 TEST(Footprint, ShowsWhereAnItemLies) {
   PlacedItem item;
   item.model.shape = {{{0, 0, 0.9}, {0.4, 0.6, 1.8}}};

@@ -37,13 +37,13 @@ class Exports : public testing::Test {
 };
 
 TEST_F(Exports, NameTheNearestOfWhatTheStudyDoesNotHave) {
-  EXPECT_ERROR(export_pelicun(*data_, {.configuration = "flase"}, take()),
+  EXPECT_ERROR(export_pelicun(*data_, {.configurations = {"flase"}}, take()),
                "exports.h5: no configuration 'flase'; did you mean 'false'?");
   EXPECT_ERROR(export_nrml(*data_, {.limit = "moed"}, take()),
                "no limit state 'moed'; did you mean 'moved'?");
   EXPECT_ERROR(export_nrml(*data_, {.measure = "PGA lager"}, take()),
                "no intensity measure 'PGA lager'; did you mean 'PGA larger'?");
-  EXPECT_ERROR(export_responses(*data_, {.configuration = "flase"}, take()),
+  EXPECT_ERROR(export_responses(*data_, {.configurations = {"flase"}}, take()),
                "no configuration 'flase'");
   EXPECT_TRUE(files_.empty());
 }
@@ -69,17 +69,17 @@ TEST_F(Exports, SayWhyThereIsNoCurve) {
                "  false, 'hit': no run exceeds up to ");
   EXPECT_TRUE(files_.empty());
   EXPECT_THAT(
-      export_nrml(*data_, {.configuration = "true"}, take()),
+      export_nrml(*data_, {.configurations = {"true"}}, take()),
       ElementsAre(HasSubstr("true, 'rolled': "), HasSubstr("'hit'"), HasSubstr("'overturned'")));
   EXPECT_EQ(files_.size(), 1u);
 }
 
 TEST_F(Exports, WriteWhatIsChosen) {
-  export_nrml(*data_, {.configuration = "true"}, take());
+  export_nrml(*data_, {.configurations = {"true"}}, take());
   EXPECT_THAT(files_.at("moved.xml"), HasSubstr("fragilityFunction id=\"true\""));
   EXPECT_THAT(files_.at("moved.xml"), testing::Not(HasSubstr("id=\"false\"")));
   files_.clear();
-  export_responses(*data_, {.configuration = "false"}, take());
+  export_responses(*data_, {.configurations = {"false"}}, take());
   EXPECT_EQ(files_.size(), 1 + SyntheticStudy::kLevels.size());
 }
 
@@ -146,7 +146,7 @@ TEST_F(Exports, TakeCapacitiesAfterAnIda) {
   data_.reset();  // it has the file open
   SyntheticStudy::write(path_, true, true);
   data_.emplace(path_);
-  const ChosenCurves chosen = chosen_curves(*data_, {.configuration = "true"});
+  const ChosenCurves chosen = chosen_curves(*data_, {.configurations = {"true"}});
   ASSERT_EQ(chosen.curves.size(), 1u);
   const auto capacities = statistics::fit_capacities(
       statistics::ida_capacities(data_->observations(0, 1, data_->measure(""))));

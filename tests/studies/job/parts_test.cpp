@@ -129,10 +129,10 @@ TEST(JobParts, OnlyHingesAndSlidersAreLocked) {
               HasSubstr("item.locked_parts = \"arm\": stands twice"));
 }
 
-// I about the foot across the axis: 2 (0.1^2 / 6 + 0.6^2) of the mast, 2 (0.1^2 / 6 + 0.8^2 + 0.3^2 / 2) of the bag 0.3 m
-// beside it; they lift by 0.6 and 0.8 m.
-// The desk stands at (1, 2), turned by 90 degrees: the arm's point (400, 0, 900) mm is at (1, 2.4, 0.9) m of the room,
-// the lamp's top, (100, 0, 700) + (0, 0, 400) mm, at (1, 2.1, 1.1) m.
+// I about the foot across the axis: 2 (0.1^2 / 6 + 0.6^2) of the mast, 2 (0.1^2 / 6 + 0.8^2 + 0.3^2
+// / 2) of the bag 0.3 m beside it; they lift by 0.6 and 0.8 m. The desk stands at (1, 2), turned by
+// 90 degrees: the arm's point (400, 0, 900) mm is at (1, 2.4, 0.9) m of the room, the lamp's top,
+// (100, 0, 700) + (0, 0, 400) mm, at (1, 2.1, 1.1) m.
 TEST(JobParts, TethersHoldThemToTheRoomAndToEachOther) {
   const std::string to_room =
       "[[tether]]\nitem = \"desk/arm\"\nkind = \"power_cord\"\npoint_m = [0.4, 0, 0.9]\n"

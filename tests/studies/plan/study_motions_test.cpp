@@ -132,7 +132,7 @@ TEST_F(SuiteByLevel, IsOfAllConfigurationsOrOfNone) {
   const StudyMotions motions(study);
   EXPECT_EQ(error_text([&] { Plan(study, motions); }),
             folder_.file("job.toml") +
-                ": excitation.record.suite_by_level: must be of all configurations or of none");
+                ":3:1: excitation.record.suite_by_level: must be of all configurations or of none");
 }
 
 }  // namespace

@@ -104,8 +104,8 @@ TEST_F(Gltf, MovesAsTheFile) {
   }
 }
 
-// The file has the displacement of a part's centre of mass: its origin, which its shapes are drawn from, is elsewhere as it
-// turns and where it had settled.
+// The file has the displacement of a part's centre of mass: its origin, which its shapes are drawn
+// from, is elsewhere as it turns and where it had settled.
 TEST(RecordedRun, HasTheOriginsOfParts) {
   study::RunFacts facts = synthetic_ward();
   Response response = synthetic_ward_response();

@@ -50,7 +50,7 @@ plot 2 "--width '85': must be a number with its unit" run.h5 history -o x.svg --
 plot 0 "normal_force" run.h5 --list
 plot 0 "intensity measures (--measure): PGA h1" study.h5 --list
 plot 0 "h.svg" run.h5 history displacement normal_force -o h.svg
-grep -q "&lt;b&gt;'quoted' &amp;" h.svg || complain "the title is not text"
+grep -q "&lt;b&gt;&#39;quoted&#39; &amp;" h.svg || complain "the title is not text"
 plot 0 "t.png" run.h5 trajectories -o t.png --width 85mm
 plot 0 "h2.svg" study.h5 history tilt --run 3 -o h2.svg
 plot 0 "t.svg" study.h5 trajectories -o t.svg

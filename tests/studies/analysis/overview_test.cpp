@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/report/overview_report.h"
+#include "studies/results/results_file.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/one_line.h"
+#include "tests/support/synthetic_run.h"
 #include "tests/support/synthetic_study.h"
 #include "tests/support/temp_folder.h"
 
@@ -158,6 +160,28 @@ TEST_F(Overview, IsJson) {
   EXPECT_EQ(json["failures"][0]["run"], SyntheticStudy::kFailed);
   EXPECT_EQ(json["step_check"]["failed"], 1);
   EXPECT_EQ(json["step_check"]["limit_states"][0]["changed_runs"][0], SyntheticStudy::kChanged);
+}
+
+TEST_F(Overview, OfOneRunHasItsMotionItsEndAndItsItems) {
+  const Response response = synthetic_response();
+  folder_.write("run.h5", results_image(synthetic_facts(), response));
+  const RunOverview overview = run_overview(folder_.file("run.h5"));
+  ASSERT_EQ(overview.file.motions.size(), 1u);
+  EXPECT_EQ(overview.file.motions[0].name, "made-up");
+  EXPECT_THAT(overview.file.motions[0].files,
+              ElementsAre(std::string(64, 'b') + " x.AT2", std::string(64, 'c') + " y.AT2"));
+  EXPECT_THAT(overview.file.warnings, ElementsAre("the record ends with 2.0 mm/s"));
+  EXPECT_EQ(overview.outcome, "rested");
+  EXPECT_EQ(overview.cause, "");
+  EXPECT_EQ(overview.end_time, response.end_time);
+  ASSERT_EQ(overview.items.size(), 1u);
+  const Demands& demands = response.items[0].demands;
+  EXPECT_EQ(overview.items[0].model, "Trolley");
+  EXPECT_EQ(overview.items[0].peak_displacement, demands.peak_displacement);
+  EXPECT_EQ(overview.items[0].residual_displacement, demands.residual_displacement);
+  EXPECT_EQ(overview.items[0].peak_velocity, demands.peak_velocity);
+  EXPECT_EQ(overview.items[0].peak_tilt, demands.peak_tilt);
+  EXPECT_EQ(overview.items[0].time_of_overturning, demands.time_of_overturning);
 }
 
 TEST_F(Overview, RefusesOtherFiles) {
