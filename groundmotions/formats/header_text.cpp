@@ -31,10 +31,23 @@ bool speaks_of_peaks(std::string_view line) {
                              [&](auto word) { return find_word(line, word) != kNone; });
 }
 
+/// A unit of acceleration that up to four words at the start of `text` make: "cm / s2".
+std::optional<std::string_view> unit_at_start(std::string_view text) {
+  const auto words = words_of(text, " \t");
+  for (std::size_t count = std::min<std::size_t>(words.size(), 4); count > 0; --count) {
+    const auto end =
+        static_cast<std::size_t>(words[count - 1].data() - text.data()) + words[count - 1].size();
+    if (acceleration_unit(text.substr(0, end))) return text.substr(0, end);
+  }
+  return {};
+}
+
 /// Text that follows the word `unit`: "OF G. FILTER...", "(g)", ": cm / s2", "= SEC AND G".
 std::optional<std::string_view> behind_unit(std::string_view rest) {
   for (bool again = true; again;) {
     rest = left_trimmed(rest, " \t(=:[-");
+    rest = rest.substr(0, rest.find_first_of(",;"));
+    if (const auto unit = unit_at_start(rest)) return unit;  // "in / s2"
     again = false;
     for (const std::string_view filler : {"OF ", "ARE ", "IS ", "IN ", "ACCELERATION"})
       if (rest.starts_with(filler)) {
@@ -42,15 +55,9 @@ std::optional<std::string_view> behind_unit(std::string_view rest) {
         again = true;
       }
   }
-  rest = rest.substr(0, rest.find_first_of(",;"));
-  const auto words = words_of(rest, " \t");
-  for (std::size_t count = std::min<std::size_t>(words.size(), 4); count > 0; --count) {
-    const auto end =
-        static_cast<std::size_t>(words[count - 1].data() - rest.data()) + words[count - 1].size();
-    if (acceleration_unit(rest.substr(0, end))) return rest.substr(0, end);
-  }
   for (const auto word : words_of(rest, " \t()[]"))  // "gal(cm/s/s)"
     if (acceleration_unit(word)) return word;
+  const auto words = words_of(rest, " \t");
   if (words.empty() || time_unit(words[0])) return {};
   return words[0];
 }

@@ -8,6 +8,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/number_text.h"
+#include "engine/base/toml_string.h"
 
 namespace gurney::cli {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 std::string value_of(const std::string& text) {
   const bool bare = number(text) || text == "true" || text == "false" || text.starts_with('[') ||
                     text.starts_with('{') || text.starts_with('"');
-  if (!bare) return fmt::format("'{}'", text);
+  if (!bare) return toml_string(text);
   // TOML wants a digit before the point and no plus sign; .5 and +1 are what people type.
   const auto value = number(text);
   return value ? fmt::format("{}", *value) : text;
@@ -25,7 +26,7 @@ std::string value_of(const std::string& text) {
 
 std::string inline_table(const std::string& first_key, const std::vector<std::string>& words) {
   require(!words.empty(), fmt::format("a {} needs a name", first_key));
-  std::string table = fmt::format("{{ {} = '{}'", first_key, words[0]);
+  std::string table = fmt::format("{{ {} = {}", first_key, toml_string(words[0]));
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto equals = words[i].find('=');
     require(equals != std::string::npos && equals > 0,

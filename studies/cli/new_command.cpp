@@ -9,6 +9,7 @@
 #include "engine/base/files.h"
 #include "engine/base/printable.h"
 #include "engine/base/shell_word.h"
+#include "engine/base/toml_string.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/catalogue.h"
 #include "groundmotions/scaling/scale.h"
@@ -137,7 +138,7 @@ std::string use_records(const fs::path& folder, const std::string& unit, const f
     if (!reason.empty()) left_out.push_back(record.name + ": " + reason);
     for (const std::string& each : record.files)
       (reason.empty() ? files : spare) +=
-          fmt::format("  {}\"{}\",\n", reason.empty() ? "" : "# ", seen_from(file, each));
+          fmt::format("  {}{},\n", reason.empty() ? "" : "# ", toml_string(seen_from(file, each)));
   }
   require(
       !names.empty(),
@@ -149,10 +150,10 @@ std::string use_records(const fs::path& folder, const std::string& unit, const f
   for (const std::string& reason : found.refused) text += comment("excluded: " + reason);
   for (const std::string& reason : left_out) text += comment("excluded: " + reason);
   if (found.refused.empty() && left_out.empty())
-    text += fmt::format("suite = \"{}\"\n", seen_from(file, folder));
+    text += fmt::format("suite = {}\n", toml_string(seen_from(file, folder)));
   else
     text += "suite = [\n" + files + spare + "]\n";
-  if (!unit.empty()) text += fmt::format("unit = \"{}\"\n", unit);
+  if (!unit.empty()) text += fmt::format("unit = {}\n", toml_string(unit));
   const auto [x, y, z] = wanted;
   if (!x || !y || !z)
     text += fmt::format("use = \"{}{}{}\"  # components that every record has\n", x ? "x" : "",
@@ -202,7 +203,7 @@ std::string record_lines(const std::vector<std::string>& names, const std::strin
   std::vector<std::string> paths;
   for (const std::string& name : names) {
     files.push_back({.path = name});
-    paths.push_back('"' + seen_from(file, name) + '"');
+    paths.push_back(toml_string(seen_from(file, name)));
   }
   groundmotions::ReadOptions options;
   options.unit = unit;
@@ -210,7 +211,7 @@ std::string record_lines(const std::vector<std::string>& names, const std::strin
   std::string use, text = fmt::format("file = [{}]\n", fmt::join(paths, ", "));
   for (const Direction direction : groundmotions::kDirections)
     if (record[direction]) use += "xyz"[static_cast<std::size_t>(direction)];
-  if (!unit.empty()) text += fmt::format("unit = \"{}\"\n", unit);
+  if (!unit.empty()) text += fmt::format("unit = {}\n", toml_string(unit));
   if (use.size() < 3) text += fmt::format("use = \"{}\"  # components that it has\n", use);
   return text;
 }

@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/base/input_file.h"
+#include "engine/base/toml_string.h"
 #include "engine/config/file_snapshot.h"
 #include "engine/config/table.h"
 #include "equipment/catalogue/catalogue.h"
@@ -60,14 +61,11 @@ struct Content {
 constexpr const char* kShippedMotion =
     "\n[excitation.record]\nfile = \"../../groundmotions/records/synthetic_3c.csv\"\n";
 
-std::string quoted(const std::string& text) {
-  return SortedJson(text).dump(-1, ' ', false, SortedJson::error_handler_t::replace);
-}
-
 std::string job_with(const std::string& item, double x, double y, const std::string& room) {
   return fmt::format(
       "schema = \"gurney-job/1\"\n\n[[item]]\nequipment = {}\nposition_m = [{:g}, {:g}]\n{}",
-      quoted(item), x, y, room.empty() ? "" : fmt::format("\n[room]\nfile = {}\n", quoted(room)));
+      toml_string(item), x, y,
+      room.empty() ? "" : fmt::format("\n[room]\nfile = {}\n", toml_string(room)));
 }
 
 Content with_item(const std::string& equipment, const fs::path& folder) {

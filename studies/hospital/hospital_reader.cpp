@@ -10,6 +10,7 @@
 #include "engine/base/error.h"
 #include "engine/base/names.h"
 #include "engine/base/number_text.h"
+#include "engine/base/toml_string.h"
 #include "engine/config/nearest_name.h"
 #include "engine/config/table.h"
 #include "equipment/catalogue/check_file.h"

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "engine/base/toml_string.h"
 #include "equipment/catalogue/catalogue.h"
 #include "equipment/catalogue/item_sheet.h"
 #include "equipment/catalogue/load_item.h"

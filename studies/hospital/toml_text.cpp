@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/files.h"
+#include "engine/base/toml_string.h"
 
 namespace gurney::study {
 namespace {
@@ -49,19 +50,6 @@ std::string written(const config::Node& value, const fs::path& folder, bool path
 }
 
 }  // namespace
-
-std::string toml_string(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      quoted += std::string("\\") + c;
-    else if (static_cast<unsigned char>(c) < 0x20)
-      quoted += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      quoted += c;
-  }
-  return quoted + '"';
-}
 
 std::string inline_toml(const config::Node& value, const fs::path& folder) {
   return written(value, folder, false);

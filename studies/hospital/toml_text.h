@@ -7,9 +7,6 @@
 
 namespace gurney::study {
 
-/// A TOML basic string.
-std::string toml_string(const std::string& text);
-
 /// A value as TOML on one line; texts of the keys `file` and `suite` become paths that hold from
 /// anywhere.
 /// @param folder  that they are relative to

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "engine/base/toml_string.h"
 #include "engine/base/units.h"
 #include "engine/config/document.h"
 #include "engine/config/node.h"
@@ -21,15 +22,6 @@ using config::Node;
 
 constexpr double kSameWheel = 0.02;
 constexpr double kLeastScatter = 1e-3;  // below it a distribution is noise
-
-std::string toml_text(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
-  }
-  return result + "\"";
-}
 
 std::string value_text(const Node& node) {
   switch (node.kind) {
@@ -53,7 +45,7 @@ std::string value_text(const Node& node) {
     case Node::Kind::kTable:
       break;
   }
-  return toml_text(node.text);
+  return toml_string(node.text);
 }
 
 /// Keys with values first, then tables, but those that stand in `replaced` by their path.
@@ -89,7 +81,7 @@ std::string source_of(const Constant& c, bool simulated) {
 /// The lines of a quantity; `scale` makes the key's unit.
 std::string quantity_text(const Constant& c, double scale, bool simulated, const char* group) {
   std::string text = fmt::format("value = {:.6g}\nsource = {}\n", c.value * scale,
-                                 toml_text(source_of(c, simulated)));
+                                 toml_string(source_of(c, simulated)));
   if (std::isfinite(c.interval.high))
     text +=
         fmt::format("range = [{:.6g}, {:.6g}]\n", c.interval.low * scale, c.interval.high * scale);
@@ -155,9 +147,9 @@ class Maker {
     file.text = fmt::format(
         "# Written by gurney calibrate{}. Numbers that no trial gave are those of {}.\n"
         "schema = \"gurney-caster/1\"\nname = {}\ndescription = {}\n",
-        simulated_ ? " from SIMULATED trials" : "", type_.name, toml_text(file.name),
-        toml_text(fmt::format("{} calibrated on {}: use it with a floor covering of factor 1",
-                              caster, floor)));
+        simulated_ ? " from SIMULATED trials" : "", type_.name, toml_string(file.name),
+        toml_string(fmt::format("{} calibrated on {}: use it with a floor covering of factor 1",
+                                caster, floor)));
     std::string rest = table_text(document_.tree(), "", replaced_);
     const std::string schema = "schema = \"gurney-caster/1\"\n";
     rest.erase(rest.find(schema), schema.size());

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "engine/base/error.h"
+#include "engine/base/toml_string.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/catalogue.h"
 #include "studies/calibration/pulling/simulated_trial.h"
@@ -31,12 +32,6 @@ std::string obstacle(const MeasuredTrial& each) {
   if (setup.item.empty()) return "no `item` is stated";
   if (setup.pull_point.empty()) return "no `pull_point_mm` is stated";
   return "";
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-  return result + "\"";
 }
 
 struct ForceSamples {
@@ -75,14 +70,15 @@ ForceSamples samples_of(const MeasuredTrial& each) {
 
 std::string level_text(const MeasuredTrial& each) {
   const TrialSetup& setup = each.trial.setup;
-  std::string text = fmt::format("\n[study.factor.level.{}]\n", quoted(each.trial.name));
-  text += "item.equipment = " + quoted(setup.item) + "\n";
+  std::string text = fmt::format("\n[study.factor.level.{}]\n", toml_string(each.trial.name));
+  text += "item.equipment = " + toml_string(setup.item) + "\n";
   if (known(equipment::DataKind::kCaster, setup.caster))
-    text += "item.casters = " + quoted(setup.caster) + "\n";
+    text += "item.casters = " + toml_string(setup.caster) + "\n";
   if (known(equipment::DataKind::kFloor, setup.floor))
-    text += "floor.covering = " + quoted(setup.floor) + "\n";
+    text += "floor.covering = " + toml_string(setup.floor) + "\n";
   if (setup.payload_count > 0)
-    text += fmt::format("item.payloads.{} = {}\n", quoted(setup.payload_name), setup.payload_count);
+    text += fmt::format("item.payloads.{} = {}\n", toml_string(setup.payload_name),
+                        setup.payload_count);
   std::vector<double> degrees;
   for (const double heading : setup.headings) degrees.push_back(heading / kRadiansPerDegree);
   if (degrees.size() == 1)
@@ -94,7 +90,7 @@ std::string level_text(const MeasuredTrial& each) {
   text += fmt::format(
       "excitation.force = [{{ name = {}, point_m = {}, direction = [1, 0, 0], time_s = {}, force_n "
       "= {} }}]\n",
-      quoted(each.trial.name), point, in_lines(samples.time), in_lines(samples.force));
+      toml_string(each.trial.name), point, in_lines(samples.time), in_lines(samples.force));
   if (setup.string_tension > 0)
     text += fmt::format(
         "excitation.string_potentiometer = [{{ point_m = {}, direction = [-1, 0, 0], tension_n = "
@@ -129,8 +125,8 @@ energy = true
 [[study.factor]]
 name = "trial"
 )",
-      kStart, quoted("Driven by the measured force: " + name), quoted(first.trial.setup.item),
-      longest);
+      kStart, toml_string("Driven by the measured force: " + name),
+      toml_string(first.trial.setup.item), longest);
 }
 
 }  // namespace

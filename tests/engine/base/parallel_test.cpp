@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace gurney {
@@ -31,6 +33,11 @@ TEST(ParallelFor, ThrowsWhatACallThrowsAndBeginsNoMore) {
 TEST(ParallelFor, ThrowsOneOfSeveral) {
   const auto work = [](std::size_t i) { throw std::runtime_error(std::to_string(i)); };
   EXPECT_THROW(parallel_for(8, 4, work), std::runtime_error);
+}
+
+TEST(ThreadsOrAll, AreThoseThatAreAskedForOrTheMachines) {
+  EXPECT_EQ(threads_or_all(3), 3);
+  EXPECT_EQ(threads_or_all(0), std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
 }
 
 }  // namespace

@@ -55,6 +55,8 @@ TEST(GeoNet, ReadsNumbersWithoutTheirPoint) {
 TEST(GeoNet, TakesTheFactorOfTheUnit) {
   const auto components = read_text(replaced(geonet_file(), "of 1.00 mm", "of 2.00 mm"));
   EXPECT_NEAR(components[0].acceleration[3], -2 * 0.9807, 1e-12);
+  EXPECT_THAT(error_text([] { read_text(replaced(geonet_file(), "of 1.00 mm", "of 0.00 mm")); }),
+              HasSubstr("f:11:1: a unit of 0 mm/s/s"));
 }
 
 TEST(GeoNet, ChecksWhatTheHeaderStatesTwice) {

@@ -24,6 +24,8 @@ TEST(HeaderText, FindsTheUnitOfTheSamples) {
                                                        {"IN UNITS OF G. FILTER POINTS", "G"},
                                                        {"The units are (g)", "g"},
                                                        {"units: cm / s2, corrected", "cm / s2"},
+                                                       {"units: in / s2", "in / s2"},
+                                                       {"units are in ft / s2", "ft / s2"},
                                                        {"UNITS=SEC AND G", "G"},
                                                        {"Units: furlongs", "furlongs"},
                                                        {"velocity time history in cm/s", "cm/s"},

@@ -159,6 +159,8 @@ TEST(PeerAt2, LeavesTablesWithTimesToPlainText) {
   EXPECT_EQ(table.format, "plain text");
   EXPECT_EQ(table.time_step, 0.02);
   EXPECT_EQ(read(title + ".1 .2\n.3 .1\n", {.time_step = 0.02})[0].format, "PEER AT2");
+  const std::string two = title + "0 .1 .2\n.02 .2 .1\n.04 .3 .2\n";
+  EXPECT_EQ(read(two, {.columns = "time,h1,h2"})[1].format, "plain text");
 }
 
 TEST(PeerAt2, LeavesTablesBelowCountAndStepToPlainText) {

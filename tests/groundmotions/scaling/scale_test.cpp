@@ -63,6 +63,11 @@ TEST(ScaleTo, ReachesTheValue) {
   EXPECT_DOUBLE_EQ(pga(scale_to(record(), energy, 16), Direction::kH1), 4);
 }
 
+TEST(ScaleTo, MayReachItsLimits) {
+  EXPECT_EQ(pga(scale_to(record(), kPga, 8, {}, {.largest = 4}), Direction::kH1), 8);
+  EXPECT_EQ(pga(scale_to(record(), kPga, 1, {}, {.smallest = 0.5}), Direction::kH1), 1);
+}
+
 TEST(ScaleTo, RefusesWhatItCannotReach) {
   EXPECT_ERROR(scale_to(record(), kPga, 20, {}, {.smallest = 0.5, .largest = 4}),
                "invented: PGA of h1 [m/s2] is 2; to reach 20 the record must be scaled by 10; "

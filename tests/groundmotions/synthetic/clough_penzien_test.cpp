@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "engine/base/units.h"
@@ -65,6 +66,34 @@ TEST(Synthetic, DependsOnTheSeedAndComponentsAreIndependent) {
   // About 2 * 3 Hz * 9 s = 50 independent values: the correlation scatters by 0.14; 3 of these.
   EXPECT_LT(correlation(h1, second[Direction::kH1]->acceleration), 0.42);
   EXPECT_LT(correlation(h1, first[Direction::kH2]->acceleration), 0.42);
+}
+
+// The displacement is that of the noise between the first and the last tenth, and sin^2(pi / 4) = 1/2 of it halfway
+// through these, but for the peak velocity, which is 1 m/s.
+TEST(LongPeriodMotion, IsNoiseWhoseFirstAndLastTenthAreTapered) {
+  const LongPeriodMotion motion{
+      .seed = 3, .duration = 100, .peak_velocity = {1, 0}, .peak_time = 40};
+  const Eigen::VectorXd made = long_period_motion(motion)[Direction::kH1]->acceleration;
+  EXPECT_NEAR(peaks(motion.time_step, made).velocity, 1, 1e-12);
+  const SyntheticComponent ground{.peak_acceleration = 1,
+                                  .peak_time = motion.peak_time,
+                                  .envelope_power = motion.envelope_power,
+                                  .ground_frequency = 2 * std::numbers::pi / motion.ground_period,
+                                  .ground_damping = motion.ground_damping,
+                                  .low_cut_frequency = 2 * std::numbers::pi / motion.low_cut_period,
+                                  .low_cut_damping = 0.6};
+  const Eigen::VectorXd noise = clough_penzien_noise({.seed = 3,
+                                                      .time_step = motion.time_step,
+                                                      .samples = 10001,
+                                                      .components = {ground, ground, ground}},
+                                                     Direction::kH1);
+  const Eigen::VectorXd moved = integrated(motion.time_step, made).displacement,
+                        free = integrated(motion.time_step, noise).displacement;
+  const double scale = moved[5000] / free[5000], size = free.cwiseAbs().maxCoeff();
+  for (const Eigen::Index i : {1000, 2500, 7000, 9000})
+    EXPECT_NEAR(moved[i] / scale, free[i], 1e-9 * size) << i;
+  for (const Eigen::Index i : {500, 9500})
+    EXPECT_NEAR(moved[i] / scale, free[i] / 2, 1e-9 * size) << i;
 }
 
 TEST(ShippedRecord, IsWhatTheProgramMakes) {

@@ -31,13 +31,14 @@ expect 1 "my_cart: unknown item of equipment; for the file write my_cart.toml" \
 expect 0 "written" "$gurney" new job jobs/own --record "$2/groundmotions/records/synthetic_3c.csv"
 expect 0 "record  synthetic_3c" "$gurney" check jobs/own.toml
 grep -q "synthetic = " jobs/own.toml && complain "the synthetic motion stays beside the record"
-expect 0 "a one.csv" "$gurney" records make near_fault_pulse period_s=1 -o "a one.csv"
-expect 0 "written" "$gurney" new job one --record "a one.csv"
+one='a "one".csv'  # what a job must escape
+expect 0 "$one" "$gurney" records make near_fault_pulse period_s=1 -o "$one"
+expect 0 "written" "$gurney" new job one --record "$one"
 grep -q '^use = "x"  # components that it has' one.toml || complain "the components are not stated"
 expect 0 "a valid single run" "$gurney" check one.toml
 expect 1 "not a record in a known format" "$gurney" new job none --record one.toml
-expect 1 "--record is for a job" "$gurney" new study none --record "a one.csv"
-expect 1 "gurney new job NAME --record 'a one.csv'" "$gurney" run "a one.csv"
+expect 1 "--record is for a job" "$gurney" new study none --record "$one"
+expect 1 "gurney new job NAME --record '$one'" "$gurney" run "$one"
 [ -e none.toml ] && complain "a file is left by a command that failed"
 
 # From a folder of records: two that can be read, one that cannot, no vertical component in one.

@@ -199,6 +199,20 @@ TEST_F(PullingTests, TrialsWithoutItemOrForceAreLeftOutOfTheJob) {
   EXPECT_EQ(job_of_trials({nothing}, "none").text, "");
 }
 
+// Phase II begins at 0.05 s, between the samples of 1 and 11 N, where the force is 6 N, and is let go after 0.25 s.
+TEST(TrialJob, HasTheForceOfPhaseTwoBetweenItsSamples) {
+  MeasuredTrial trial;
+  trial.trial.name = "ramp";
+  trial.trial.setup.item = "trolley";
+  trial.trial.setup.pull_point = {0.3, 0, 0.5};
+  trial.trial.signals.time = {0, 0.1, 0.2, 0.3};
+  trial.trial.signals.force = {1, 11, 21, 0};
+  trial.phases = Phases{.start = 0.05, .release = 0.25, .stop = 0.3};
+  const std::string text = job_of_trials({trial}, "ramps").text;
+  EXPECT_NE(text.find("[\n  0.500000, 0.550000, 0.650000, 0.700000]"), std::string::npos) << text;
+  EXPECT_NE(text.find("[\n  6.000, 11.000, 21.000, 21.000]"), std::string::npos) << text;
+}
+
 // The top of the trolley moves as its base but for the pitch on the treads, whose rate is zero at
 // rest: over the whole trial both accelerations have the same integral, 0. Their samples at 120 Hz
 // have it to some 1/120 s of the largest difference.
