@@ -61,7 +61,8 @@ std::vector<std::size_t> wanted_configurations(const StudyData& data,
                                                const std::vector<std::string>& texts) {
   std::vector<std::size_t> wanted;
   for (const std::string& text : texts)
-    for (const std::size_t each : named_configurations(data, text)) wanted.push_back(each);
+    for (const std::size_t each : named_configurations(data, text))
+      if (std::ranges::find(wanted, each) == wanted.end()) wanted.push_back(each);
   if (texts.empty())
     for (std::size_t i = 0; i < data.configurations().size(); ++i) wanted.push_back(i);
   return wanted;

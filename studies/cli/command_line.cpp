@@ -18,6 +18,7 @@
 #include "studies/cli/commands.h"
 #include "studies/cli/help.h"
 #include "studies/cli/json_errors.h"
+#include "studies/cli/output.h"
 #include "studies/cli/process.h"
 #include "studies/cli/shared_options.h"
 #include "studies/render/wrapped.h"
@@ -214,9 +215,15 @@ int parse_and_run(CLI::App& app, const std::function<int()>& action, int argc, c
     return kBadUsage;
   }
   try {
-    return with_json_errors(wants_json(app), action);
+    return action();
   } catch (const CLI::ParseError& error) {  // options that do not go together
     return explained(app, error);
+  } catch (const Error& error) {
+    if (!wants_json(app)) throw;
+    findings::Section errors;
+    add_errors(errors, error.what());
+    print_findings(errors, true);
+    return dynamic_cast<const BadUsage*>(&error) == nullptr ? kBadInput : kBadUsage;
   }
 }
 

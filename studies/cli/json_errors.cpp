@@ -5,10 +5,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "engine/base/error.h"
 #include "engine/base/printable.h"
-#include "studies/cli/commands.h"
-#include "studies/cli/output.h"
 
 // Messages are taken apart by hand: they quote files, and std::regex needs stack for each character.
 namespace gurney::cli {
@@ -108,18 +105,6 @@ findings::Section error_of(Text line) {
 void add_errors(findings::Section& to, const std::string& text) {
   std::istringstream lines(printable(text));
   for (std::string line; std::getline(lines, line);) to.add(error_of(line));
-}
-
-int with_json_errors(bool json, const std::function<int()>& action) {
-  if (!json) return action();
-  try {
-    return action();
-  } catch (const Error& error) {
-    findings::Section errors;
-    add_errors(errors, error.what());
-    print_findings(errors, true);
-    return dynamic_cast<const BadUsage*>(&error) == nullptr ? 1 : 2;
-  }
 }
 
 }  // namespace gurney::cli

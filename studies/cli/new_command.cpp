@@ -101,9 +101,14 @@ std::string unfit(const Found& record, const Components& wanted) {
   return {};
 }
 
+/// @throws Error for a path that no TOML can have
 std::string seen_from(const fs::path& file, const fs::path& path) {
-  return fs::absolute(path).lexically_normal().lexically_proximate(
+  std::string seen = fs::absolute(path).lexically_normal().lexically_proximate(
       fs::absolute(file).lexically_normal().parent_path());
+  require(printable(seen) == seen, seen +
+                                       ": a job cannot name it; must be UTF-8 without control "
+                                       "characters");
+  return seen;
 }
 
 std::string comment(const std::string& text) {

@@ -76,7 +76,8 @@ findings::Section floor_findings(const groundmotions::Building& building, int fl
          {{"pfa_m_per_s2", "PFA", g}, peak.acceleration},
          {{"pgv_m_per_s", "PGV", speed}, below ? Value(below->velocity) : Value()},
          {{"pfv_m_per_s", "PFV", speed}, peak.velocity},
-         {{"peak_dip_rad", rotation && building.torsion.empty() ? "rotation" : "", angle}, dip}});
+         {{"peak_dip_rad", rotation && building.torsion.empty() ? "rotation along it" : "", angle},
+          dip}});
   }
   all.add(std::move(components));
   if (rotation && !building.torsion.empty())

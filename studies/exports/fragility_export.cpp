@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "engine/base/printable.h"
 #include "engine/base/units.h"
 #include "engine/config/nearest_name.h"
 #include "groundmotions/measures/measure.h"

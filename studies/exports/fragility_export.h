@@ -11,8 +11,7 @@
 
 namespace gurney::study {
 
-/// Part of a study that is exported; an empty text: all configurations, all limit states, the
-/// study's own measure.
+/// Part of a study that is exported; an empty text: all limit states, the study's own measure.
 struct ExportChoice {
   std::vector<std::string> configurations{};  ///< as named_configurations() reads them; empty: all
   std::string measure{}, limit{};

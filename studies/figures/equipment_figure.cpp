@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/polygon.h"
 #include "engine/base/units.h"
 #include "equipment/catalogue/support.h"
-#include "studies/explanation/footprint.h"
 #include "studies/figures/panel.h"
 
 namespace gurney::figures {

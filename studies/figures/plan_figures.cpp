@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/polygon.h"
 #include "engine/base/units.h"
 #include "studies/explanation/footprint.h"
 #include "studies/figures/labels.h"

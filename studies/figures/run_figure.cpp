@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/polygon.h"
 #include "engine/base/units.h"
 #include "engine/response/response.h"
 #include "engine/scene/scene.h"

@@ -31,7 +31,7 @@ Motion motion_of(const RecordRequest& request);
 /// Motion of a record that is there already, read or generated and processed.
 Motion motion_of(const groundmotions::Record& raw, const RecordRequest& request);
 
-/// That of the record of a job; none where the floor rests.
+/// Motion of the record of a job; none where the floor rests.
 std::optional<Motion> motion_of(const Job& job);
 
 /// The parts of motion_of(), for studies, which scale and turn one record many times: read or made

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "engine/base/printable.h"
+#include "engine/base/utf8.h"
 #include "studies/render/render.h"
 
 namespace gurney::render {
@@ -9,6 +12,22 @@ namespace {
 
 using namespace findings;
 using Json = nlohmann::ordered_json;
+
+/// A name of a file may have bytes that are not UTF-8, which JSON cannot have.
+Json text(const std::string& of) {
+  for (std::string_view rest = of; !rest.empty();) {
+    const std::size_t length = utf8_length(rest);
+    if (length == 0) return printable(of);
+    rest.remove_prefix(length);
+  }
+  return of;
+}
+
+Json texts(const Texts& of) {
+  Json all = Json::array();
+  for (const std::string& each : of) all.push_back(text(each));
+  return all;
+}
 
 Json value_json(const Value& value, const Format& format) {
   const auto number = [&](double of) {
@@ -22,10 +41,14 @@ Json value_json(const Value& value, const Format& format) {
   if (const auto* of = std::get_if<bool>(&value)) return *of;
   if (const auto* of = std::get_if<std::int64_t>(&value)) return *of;
   if (const auto* of = std::get_if<double>(&value)) return number(*of);
-  if (const auto* of = std::get_if<std::string>(&value)) return *of;
+  if (const auto* of = std::get_if<std::string>(&value)) return text(*of);
   if (const auto* of = std::get_if<Counts>(&value)) return *of;
-  if (const auto* of = std::get_if<Texts>(&value)) return *of;
-  if (const auto* of = std::get_if<std::vector<Texts>>(&value)) return *of;
+  if (const auto* of = std::get_if<Texts>(&value)) return texts(*of);
+  if (const auto* of = std::get_if<std::vector<Texts>>(&value)) {
+    Json all = Json::array();
+    for (const Texts& each : *of) all.push_back(texts(each));
+    return all;
+  }
   if (const auto* of = std::get_if<Numbers>(&value)) return numbers(*of);
   if (const auto* of = std::get_if<std::vector<Numbers>>(&value)) {
     Json all = Json::array();
@@ -83,7 +106,7 @@ void fill(Json& object, const Section& section) {
     if (const auto* fact = std::get_if<Fact>(&part); fact && !fact->key.empty())
       object[fact->key] = value_json(fact->value, fact->format);
     if (const auto* list = std::get_if<List>(&part); list && !list->key.empty())
-      object[list->key] = list->lines;
+      object[list->key] = texts(list->lines);
     if (const auto* table = std::get_if<Table>(&part); table && !table->key.empty()) {
       std::string key = table->key;
       const bool by_name = take_mark(key, "{}");

@@ -142,8 +142,8 @@ FragilityFit fit_fragility(const StripeTable& table);
 /// Covariance of (ln theta, ln beta) from that of (slope, intercept), by the delta method.
 Eigen::Matrix2d covariance_of_curve(const Eigen::Vector2d& line, const Eigen::Matrix2d& covariance);
 
-/// How likely the deviance of the stripes, the likelihood ratio against a probability of its own for each
-/// (McCullagh & Nelder 1989, Generalized linear models, chapter 4), is under the fitted curve: its
+/// Probability under the fitted curve of a deviance at least that of the stripes, the likelihood ratio against a
+/// probability of its own for each (McCullagh & Nelder 1989, Generalized linear models, chapter 4): its
 /// parametric bootstrap (Davison & Hinkley 1997, section 4.2), p = (1 + number of resamples with at
 /// least the deviance) / (1 + resamples), which holds for small counts. It supposes independent runs:
 /// where runs of one record are alike p is too small or too large. None unless the fit is kFitted on

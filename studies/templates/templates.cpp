@@ -12,6 +12,7 @@
 #include "embedded/room_toml.h"
 #include "embedded/study_toml.h"
 #include "engine/base/error.h"
+#include "engine/base/toml_string.h"
 #include "engine/base/units.h"
 
 namespace gurney::templates {
@@ -64,14 +65,15 @@ std::string file_text(const std::string& kind, const Wishes& wishes) {
   std::string text(found->text);
   const std::string key = std::string(found->name).substr(0, std::string(found->name).find('"'));
   replace_line(text, "a name", found->name, key + quoted(wishes.name));
+  replace_all(text, "NAME", wishes.name);
   if (!wishes.item.empty())
     replace_line(text, "--item", "equipment = \"icu_ventilator\"",
-                 "equipment = " + quoted(wishes.item));
+                 "equipment = " + toml_string(wishes.item));
   if (!wishes.caster.empty())
-    replace_line(text, "--caster", "type = \"R100\"", "type = " + quoted(wishes.caster));
+    replace_line(text, "--caster", "type = \"R100\"", "type = " + toml_string(wishes.caster));
   if (!wishes.room.empty())
     replace_line(text, "--room", "# [room]\n# file = \"icu_bay\"",
-                 "[room]\nfile = " + quoted(wishes.room));
+                 "[room]\nfile = " + toml_string(wishes.room));
   if (!wishes.record.empty())
     replace_line(
         text, "--record",
@@ -81,15 +83,14 @@ std::string file_text(const std::string& kind, const Wishes& wishes) {
         wishes.record);
   if (!wishes.suite.empty()) {
     replace_line(text, "--from",
-                 "# Synthetic motions, never recorded. For records of your own: gurney new study "
-                 "NAME --from FOLDER\nsynthetic = { kind = \"clough_penzien\" }\n",
+                 "# Synthetic motions, never recorded. For records of your own: gurney new study " +
+                     wishes.name + " --from FOLDER\nsynthetic = { kind = \"clough_penzien\" }\n",
                  wishes.suite);
     replace_line(text, "--from", "synthetic_records = 10\n", "");
   }
   if (!wishes.component.empty())
     replace_line(text, "--from", "component = \"larger\"",
-                 "component = " + quoted(wishes.component));
-  replace_all(text, "NAME", wishes.name);
+                 "component = " + toml_string(wishes.component));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "engine/base/toml_string.h"
 #include "engine/base/units.h"
 #include "engine/config/document.h"
 #include "engine/run/run.h"
@@ -39,7 +40,7 @@ std::string table_of(const Tether& tether, const std::string& item) {
   return fmt::format(
       "[[tether]]\nname = {}\nitem = {}\npoint_m = {}\nanchor_m = {}\nslack_length_m = {:.3f}\n"
       "stiffness_n_per_m = {:g}\ndamping_n_s_per_m = {:g}\nstrength_n = {:g}\n",
-      Json(tether.name).dump(), Json(item).dump(), written(tether.point), written(tether.anchor),
+      toml_string(tether.name), toml_string(item), written(tether.point), written(tether.anchor),
       tether.slack_length, tether.stiffness, tether.damping, tether.strength);
 }
 
@@ -92,7 +93,7 @@ void add_coverings(Json& all, const std::string& now) {
       all.push_back({{"name", "floor: " + title},
                      {"item", Json::array()},
                      {"append", Json::array()},
-                     {"floor", Json(name).dump()}});
+                     {"floor", toml_string(name)}});
   }
 }
 

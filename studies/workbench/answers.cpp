@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
+#include "engine/base/polygon.h"
 #include "engine/config/table.h"
 #include "engine/config/toml_reader.h"
 #include "engine/run/run.h"
 #include "equipment/catalogue/catalogue.h"
 #include "groundmotions/synthetic/kinds.h"
 #include "studies/bindings/finished_run.h"
-#include "studies/explanation/footprint.h"
 #include "studies/findings/findings.h"
 #include "studies/job/job.h"
 #include "studies/limit_states/limit_state.h"

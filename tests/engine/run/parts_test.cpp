@@ -430,6 +430,36 @@ TEST(Parts, ADampedBallTakesTheRelativeAngularVelocity) {
   }
 }
 
+// Rates of the rotation vector that a sprung ball has, about axes that are not its own: against central differences of
+// the angles, whose error is h^2 / 6 of their third derivative, some 1e-9, and the rounding 1e-16 / h.
+TEST(Parts, RatesOfASprungBallAreThoseOfItsAngles) {
+  constexpr double kH = 2e-5;
+  Scene scene = held_block();
+  scene.items.push_back(body("bag", 2, {0, 0, 1.5}, 0.3));
+  scene.joints = {joint(Kind::kBall, 0, 1, {0, 0, 1.5}, Vector3(0.6, 0, 0.8))};
+  scene.joints[0].stiffness = 5;
+  const Assembly assembly(scene);
+  const JointLaw& ball = assembly.joints[0];
+  const Vector3 w(0.3, -1.1, 2.0), w_base(-0.4, 0.2, 0.9);
+  Vector6 of_part, of_base;
+  of_part << Vector3::Zero(), w;
+  of_base << Vector3::Zero(), w_base;
+  for (const double turned : {5e-4, 0.5, 1.5, 2.5}) {
+    const Quaternion base = rotated({0.2, 0.1, -0.4}, Quaternion::Identity()),
+                     part = rotated(turned * Vector3(0.36, 0.48, 0.8), base);
+    const auto rows_at = [&](double time) {
+      return ball.rows({Vector3::Zero(), rotated(time * w_base, base).toRotationMatrix()},
+                       {Vector3::Zero(), rotated(time * w, part).toRotationMatrix()}, 0);
+    };
+    const auto before = rows_at(-kH), now = rows_at(0), after = rows_at(kH);
+    ASSERT_EQ(now.count, 6u);
+    for (std::size_t i = 3; i < 6; ++i)
+      EXPECT_NEAR(now.rows[i].rate(of_part, of_base),
+                  (after.rows[i].value - before.rows[i].value) / (2 * kH), 1e-8)
+          << turned << " " << i;
+  }
+}
+
 // Under a constant acceleration a free drawer meets its stop at L with v = sqrt(2 a L) and comes back by e^2 L. The
 // stop yields by v sqrt(m / k) = 8 mm for pi sqrt(m / k) = 20 ms, in which the acceleration changes v by 2 %.
 TEST(Parts, DrawerReboundsFromItsStop) {

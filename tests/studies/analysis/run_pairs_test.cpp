@@ -108,6 +108,7 @@ TEST_F(RunPairsTest, ConfigurationsAreNamedEvenWithCommasInThem) {
   EXPECT_THAT(named_configurations(a, "locked, vinyl"), ElementsAre(1));
   EXPECT_THAT(named_configurations(a, "free, vinyl, locked, vinyl"), ElementsAre(0, 1));
   EXPECT_THAT(named_configurations(a, "free,locked, vinyl"), ElementsAre(2, 1));
+  EXPECT_THAT(wanted_configurations(a, {"free,locked, vinyl", "free"}), ElementsAre(2, 1));
   EXPECT_ERROR(named_configurations(a, "fee"), "no configuration 'fee'; did you mean 'free'?");
   EXPECT_ERROR(named_configurations(a, "free,brake"),
                "no configuration 'brake'; known: 'free, vinyl', 'locked, vinyl', 'free'");

@@ -76,6 +76,14 @@ TEST(Render, FitsTablesIntoTheTerminal) {
   EXPECT_EQ(text(of).find('\n'), text(of).rfind("hit ") - 1) << "a file has whole rows";
 }
 
+TEST(Render, EscapesNamesThatAreNotUtf8InJson) {
+  findings::Section all;
+  all.json("file", "bed \xff\xc3\xa9").json("files", findings::Texts{"\xc3\xa9", "\xc3"});
+  EXPECT_NE(json(all).find("bed \\\\xff\xc3\xa9"), std::string::npos) << json(all);
+  EXPECT_NE(json(all).find("[\n    \"\xc3\xa9\",\n    \"\\\\xc3\"\n  ]"), std::string::npos)
+      << json(all);
+}
+
 TEST(Render, EscapesWhatWouldEndACellOfMarkdown) {
   Table of{"", "", {{"", "what"}, {"", "error", {".1e"}}}};
   of.add({"|x|", 0.00123});

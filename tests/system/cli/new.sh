@@ -36,6 +36,10 @@ expect 0 "$one" "$gurney" records make near_fault_pulse period_s=1 -o "$one"
 expect 0 "written" "$gurney" new job one --record "$one"
 grep -q '^use = "x"  # components that it has' one.toml || complain "the components are not stated"
 expect 0 "a valid single run" "$gurney" check one.toml
+cp "$one" NAMEd.csv
+expect 0 "written" "$gurney" new job called --record NAMEd.csv
+grep -q '^file = \["NAMEd.csv"\]' called.toml || complain "the name of the job is put into that of the record"
+expect 1 "a job cannot name it" "$gurney" new job none --record $'not\xff.csv'
 expect 1 "not a record in a known format" "$gurney" new job none --record one.toml
 expect 1 "--record is for a job" "$gurney" new study none --record "$one"
 expect 1 "gurney new job NAME --record '$one'" "$gurney" run "$one"

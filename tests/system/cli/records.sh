@@ -111,7 +111,7 @@ records 0 "vertical amplified" floor "$record" --building lead_rubber_hospital -
 records 1 "--building lead_ruber_hospital: unknown building; did you mean 'lead_rubber_hospital'?" \
   floor "$record" --building lead_ruber_hospital -o x.csv
 wall=$2/groundmotions/buildings/wall_hospital.toml
-records 0 "rotation [rad]" floor "$record" --building "$wall" -o wall_roof.csv
+records 0 "rotation along it [rad]" floor "$record" --building "$wall" -o wall_roof.csv
 grep -q "the floor rotates: peak" wall_roof.csv || complain "the rotation is not in the floor's processing"
 records 0 "peak_dip_rad" floor "$record" --building "$wall" -o wall_roof2.csv --json
 records 1 "--floor (--storey) 9: must be roof, or a number from 0 to 4" floor "$record" --building "$building" --floor 9 -o x.csv
