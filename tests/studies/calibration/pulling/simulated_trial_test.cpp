@@ -207,7 +207,10 @@ TEST(TrialJob, HasTheForceOfPhaseTwoBetweenItsSamples) {
   trial.trial.setup.pull_point = {0.3, 0, 0.5};
   trial.trial.signals.time = {0, 0.1, 0.2, 0.3};
   trial.trial.signals.force = {1, 11, 21, 0};
-  trial.phases = Phases{.start = 0.05, .release = 0.25, .stop = 0.3};
+  trial.phases.emplace();
+  trial.phases->start = 0.05;
+  trial.phases->release = 0.25;
+  trial.phases->stop = 0.3;
   const std::string text = job_of_trials({trial}, "ramps").text;
   EXPECT_NE(text.find("[\n  0.500000, 0.550000, 0.650000, 0.700000]"), std::string::npos) << text;
   EXPECT_NE(text.find("[\n  6.000, 11.000, 21.000, 21.000]"), std::string::npos) << text;
