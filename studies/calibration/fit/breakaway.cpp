@@ -17,10 +17,9 @@
 namespace gurney::calibration {
 namespace {
 
-/// When an item that is pulled ever harder begins to move, and by which force.
+/// Force at which an item that is pulled ever harder begins to move.
 struct SlipOnset {
-  double time = 0;                    ///< [s]
-  double force = 0, force_error = 0;  ///< of the cable at that time, and its standard error [N]
+  double force = 0, force_error = 0;  ///< of the cable at the onset, and its standard error [N]
 };
 
 constexpr double kGrid = 1e-3, kCoarse = 1e-2, kBefore = 0.3;  // [s]
@@ -200,7 +199,6 @@ std::optional<SlipOnset> find_onset(const TrialSignals& s, const Span& window, d
   const Span before{index(best.time - kBefore), index(best.time)};
   const PolynomialFit line = fit_polynomial(s.time, s.force, before, 1);
   SlipOnset result;
-  result.time = best.time;
   result.force = line.value(best.time);
   const double lever = best.time - line.middle;
   const double of_line = std::sqrt(line.covariance(0, 0) + lever * lever * line.covariance(1, 1));
