@@ -3,6 +3,7 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -20,9 +21,10 @@ std::optional<double> leading_number(std::string_view text, const char*& end) {
   const auto read = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   end = read.ptr;
   if (read.ec != std::errc() || !std::isfinite(value)) return {};
+  if (value != 0) return value;
   const std::string_view taken = text.substr(0, static_cast<std::size_t>(end - text.data()));
   const std::string_view mantissa = taken.substr(0, taken.find_first_of("eE"));
-  if (value == 0 && mantissa.find_first_of("123456789") != std::string_view::npos) return {};
+  if (mantissa.find_first_of("123456789") != std::string_view::npos) return {};
   return value;
 }
 
@@ -45,9 +47,13 @@ std::optional<double> with_d_exponent(std::string_view mantissa, std::string_vie
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(kNumberBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kNumberBlanks) - first + 1);
+  // Fields are short: a loop over their characters is faster than find_first_not_of().
+  const auto is_blank = [](char c) {
+    return std::ranges::find(kNumberBlanks, c) != kNumberBlanks.end();
+  };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 std::optional<double> take_number(std::string_view& text) {

@@ -120,7 +120,7 @@ void take_last_words(ColumnTitle& title) {
     const bool behind_in = i > 0 && lower(words[i - 1]) == "in";
     const bool has_comma = i > 0 && title.name.find_first_of(",;:", begin - 1) == begin - 1;
     // "G" and "M" may be the name of a channel.
-    const bool is_sure = unit.find_first_of("/2") != kNone || unit == "g" || unit.size() > 1;
+    const bool is_sure = unit == "g" || unit.size() > 1;
     const bool is_quantity =
         i > 0 && quantity_in(std::string_view(title.name).substr(0, begin)).has_value();
     if (i == 0 && unit.size() == 1 && lower(unit) != unit) continue;

@@ -58,8 +58,8 @@ bool can_be_together(const FoundComponent& a, const FoundComponent& b) {
 }
 
 bool can_be_record(const Group& group) {
-  if (std::ranges::count(group, true, &FoundComponent::vertical) > 1) return false;
-  if (std::ranges::count(group, false, &FoundComponent::vertical) > 2) return false;
+  if (std::ranges::count(group, false, &FoundComponent::vertical) > 2)
+    return false;  // of verticals one
   for (std::size_t i = 0; i < group.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (!can_be_together(group[i], group[j])) return false;

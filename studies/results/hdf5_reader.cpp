@@ -268,42 +268,60 @@ std::optional<Written> written(const std::string& path) {
   return Written(of.st_dev, of.st_ino, of.st_size, of.st_mtim.tv_sec, of.st_mtim.tv_nsec);
 }
 
-/// Checks the bytes of a file once, as most commands open it several times.
-void check_bytes(const std::string& path, const std::function<void()>& read) {
+using Datasets = std::vector<Hdf5Dataset>;
+
+/// The datasets of a file, checked and described once, as most commands open it several times.
+/// @param read      reads the whole file in a child process
+/// @param describe  lists the datasets of the file once it is known to be sound
+Datasets checked_once(const std::string& path, const std::function<void()>& read,
+                      const std::function<Datasets()>& describe) {
   static std::mutex mutex;
-  static std::set<Written> passed;
+  static std::map<Written, Datasets> known;
   const std::optional<Written> now = written(path);
   const std::lock_guard lock(mutex);
-  if (now && passed.contains(*now)) return;
+  if (now && known.contains(*now)) return known.at(*now);
   if (!hdf5::check_seal(path)) note_without_checksum(path);
   hdf5::probe(path, read);
-  if (now) passed.insert(*now);
+  const Datasets found = describe();
+  if (now) known.emplace(*now, found);
+  return found;
 }
 
 }  // namespace
 
-Hdf5Reader::Hdf5Reader(const std::string& path) : Hdf5Reader(path, Probed::kNo) {}
-
-Hdf5Reader::Hdf5Reader(const std::string& path, Probed probed) : path_(path) {
+Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path) {
   hdf5::require_memory();
   prepare_library();
-  if (probed == Probed::kNo) {
-    require_regular_file(path);
-    note_read(path);
-    require(std::ifstream(path).is_open(), path + ": cannot be read");
-    require(H5Fis_hdf5(path.c_str()) > 0,
-            path + ": is not a results file of gurney (no HDF5 file)");
-    check_bytes(path, [&] { Hdf5Reader(path, Probed::kYes).read_all(); });
-  }
-  file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path);
+  require_regular_file(path);
+  note_read(path);
+  require(std::ifstream(path).is_open(), path + ": cannot be read");
+  require(H5Fis_hdf5(path.c_str()) > 0, path + ": is not a results file of gurney (no HDF5 file)");
+  const auto read = [&] {
+    open();
+    datasets_ = described();
+    read_all();
+  };
   try {
-    hdf5::refuse_links(file_, path);
-    datasets_ = named([&] { return datasets_of(file_); });
-    check_sizes(datasets_, path);
+    datasets_ = checked_once(path, read, [&] {
+      open();
+      return described();
+    });
+    if (file_ < 0) open();
   } catch (...) {
-    hdf5::close_file(file_);
+    if (file_ >= 0) hdf5::close_file(file_);
     throw;
   }
+}
+
+void Hdf5Reader::open() {
+  file_ = checked(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + path_);
+}
+
+std::vector<Hdf5Dataset> Hdf5Reader::described() const {
+  hdf5::refuse_links(file_, path_);
+  const Datasets datasets = named([&] { return datasets_of(file_); });
+  check_sizes(datasets, path_);
+  return datasets;
 }
 
 Hdf5Reader::~Hdf5Reader() { hdf5::close_file(file_); }

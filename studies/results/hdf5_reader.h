@@ -47,8 +47,8 @@ class Hdf5Reader {
   void require_length(const std::vector<std::string>& paths, std::uint64_t length) const;
 
  private:
-  enum class Probed { kNo, kYes };
-  Hdf5Reader(const std::string& path, Probed probed);
+  void open();
+  std::vector<Hdf5Dataset> described() const;
   const Hdf5Dataset& dataset(const std::string& path) const;
   void read_all() const;
 
@@ -63,7 +63,7 @@ class Hdf5Reader {
   }
 
   std::string path_;
-  std::int64_t file_;
+  std::int64_t file_ = -1;
   std::vector<Hdf5Dataset> datasets_;
 };
 

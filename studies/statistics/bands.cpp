@@ -20,8 +20,9 @@ namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFarthest = 1000;  // of an end of theta, in standard errors of ln theta
-constexpr int kHalvings = 40;       // 1e-12 of the bracket
+constexpr int kDoublings =
+    10;  // from one standard error of ln theta to 512, where an end of it is looked for
+constexpr int kHalvings = 40;  // 1e-12 of the bracket
 constexpr int kOutline = 128;
 
 /// Intervals of the score and of other numbers of the line.
@@ -49,17 +50,17 @@ struct Lines {
 };
 
 /// The intensity nearest to theta, upwards or downwards, at which the interval of the score leaves
-/// 0; 0 or infinity if it has not within 1000 standard errors of ln theta.
+/// 0; 0 or infinity if it has not within 512 standard errors of ln theta.
 double end_of_theta(const Lines& lines, double theta, double step) {
   const auto outside = [&](double distance) {
     const Interval z = lines.score(theta * std::exp(distance));
     return step > 0 ? z.low > 0 : z.high < 0;
   };
   double inner = 0, outer = step;
-  while (!outside(outer)) {
+  for (int doublings = 1; !outside(outer); ++doublings) {
+    if (doublings == kDoublings) return step > 0 ? kInfinity : 0;
     inner = outer;
     outer *= 2;
-    if (std::abs(outer) > kFarthest * std::abs(step)) return step > 0 ? kInfinity : 0;
   }
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (inner + outer) / 2;

@@ -44,7 +44,8 @@ std::vector<Capacity> ida_capacities(const std::vector<Observation>& observation
   std::map<Case, std::vector<Observation>> of_case;
   std::map<std::size_t, int> cases;
   for (const Observation& seen : observations) {
-    require(seen.im > 0 && std::isfinite(seen.im), fmt::format("im = {:g} must be > 0", seen.im));
+    if (!(seen.im > 0 && std::isfinite(seen.im)))
+      throw Error(fmt::format("im = {:g} must be > 0", seen.im));
     auto& runs = of_case[{seen.group, seen.analysis_case}];
     if (runs.empty()) ++cases[seen.group];
     runs.push_back(seen);
@@ -90,8 +91,9 @@ std::vector<Stripe> stripes_of(const std::vector<Capacity>& capacities) {
 std::vector<CensoredValue> log_capacities(const std::vector<Capacity>& capacities) {
   std::vector<CensoredValue> values;
   for (const Capacity& capacity : capacities) {
-    require(capacity.low >= 0 && capacity.low <= capacity.high && capacity.high > 0,
-            fmt::format("a capacity within {:g} to {:g} is none", capacity.low, capacity.high));
+    if (!(capacity.low >= 0 && capacity.low <= capacity.high && capacity.high > 0))
+      throw Error(
+          fmt::format("a capacity within {:g} to {:g} is none", capacity.low, capacity.high));
     if (capacity.low > 0 || capacity.high < kInfinity)
       values.push_back({std::log(capacity.low), std::log(capacity.high), capacity.weight});
   }

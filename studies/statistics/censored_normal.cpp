@@ -89,16 +89,19 @@ Dynamic likelihood(const Eigen::MatrixXd& design, const std::vector<CensoredValu
   Dynamic sum{0, Eigen::VectorXd::Zero(p + 1), Eigen::MatrixXd::Zero(p + 1, p + 1)};
   if (positive && !(h > 0)) return {-kInfinity, sum.gradient, sum.curvature};
   const Eigen::VectorXd m = design * point.head(p);
-  for (Eigen::Index i = 0; i < design.rows(); ++i) {
+  Eigen::VectorXd of_m(m.size()), of_mm(m.size()), of_mh(m.size());
+  for (Eigen::Index i = 0; i < m.size(); ++i) {
     const Term term = term_of(values[static_cast<std::size_t>(i)], m[i], h);
-    const Eigen::VectorXd x = design.row(i).transpose();
+    of_m[i] = term.m;
+    of_mm[i] = term.mm;
+    of_mh[i] = term.mh;
     sum.value += term.value;
-    sum.gradient.head(p) += term.m * x;
     sum.gradient[p] += term.h;
-    sum.curvature.topLeftCorner(p, p) -= term.mm * x * x.transpose();
-    sum.curvature.topRightCorner(p, 1) -= term.mh * x;
     sum.curvature(p, p) -= term.hh;
   }
+  sum.gradient.head(p) = design.transpose() * of_m;
+  sum.curvature.topLeftCorner(p, p) = -design.transpose() * of_mm.asDiagonal() * design;
+  sum.curvature.topRightCorner(p, 1) = -design.transpose() * of_mh;
   sum.curvature.bottomLeftCorner(1, p) = sum.curvature.topRightCorner(p, 1).transpose();
   if (!std::isfinite(sum.value)) sum.value = -kInfinity;
   return sum;
@@ -160,8 +163,8 @@ CensoredNormalFit fit_censored_normal(const Eigen::MatrixXd& design,
           fmt::format("{} values have {} rows and {} groups: must be one for each", values.size(),
                       design.rows(), groups.size()));
   for (const CensoredValue& y : values)
-    require(y.low <= y.high && (std::isfinite(y.low) || std::isfinite(y.high)),
-            fmt::format("a value within {:g} to {:g} is none", y.low, y.high));
+    if (!(y.low <= y.high && (std::isfinite(y.low) || std::isfinite(y.high))))
+      throw Error(fmt::format("a value within {:g} to {:g} is none", y.low, y.high));
   const bool positive = has_bounded_row(values);
   CensoredNormalFit fit;
   if (design.rows() <= p) return fit;

@@ -20,7 +20,8 @@ StripeTable::StripeTable(const std::vector<Observation>& observations) {
   std::map<double, std::size_t> number_of_im;
   std::map<std::size_t, std::map<double, Stripe>> counts;
   for (const Observation& seen : observations) {
-    require(seen.im > 0 && std::isfinite(seen.im), fmt::format("im = {:g} must be > 0", seen.im));
+    if (!(seen.im > 0 && std::isfinite(seen.im)))
+      throw Error(fmt::format("im = {:g} must be > 0", seen.im));
     number_of_im[seen.im] = 0;
     Stripe& stripe = counts[seen.group][seen.im];
     stripe.runs += 1;

@@ -1,7 +1,12 @@
 #include "studies/statistics/profile.h"
 
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace gurney::statistics {
 
@@ -19,20 +24,33 @@ double largest_on_line(const std::function<Quadratic<2>(const Eigen::Vector2d&)>
 }
 
 double crossing(const std::function<double(double)>& drop, double limit, double step) {
-  constexpr double kFarthest = 1000;  // steps
-  constexpr int kHalvings = 30;       // 1e-9 of the bracket
-  double inside = 0, outside = step;
-  while (!(drop(outside) > limit)) {
-    inside = outside;
-    outside *= 2;
-    if (std::abs(outside) > kFarthest * std::abs(step))
+  constexpr int kDoublings = 10;        // from one step to 512
+  constexpr double kResolution = 1e-9;  // of the bracket
+  constexpr double kHighest = 1e6;      // for drops that are infinite
+  // The root of a likelihood ratio is nearly straight, and few secants find where it crosses.
+  const double level = std::sqrt(limit);
+  const auto above = [&](double d) {
+    return std::min(std::sqrt(std::max(0.0, drop(d))), kHighest) - level;
+  };
+  double inside = 0, outside = step, of_inside = -level, of_outside = above(outside);
+  for (int doublings = 1; !(of_outside > 0); ++doublings) {
+    if (doublings == kDoublings)
       return std::copysign(std::numeric_limits<double>::infinity(), step);
+    inside = outside;
+    of_inside = of_outside;
+    outside *= 2;
+    of_outside = above(outside);
   }
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (inside + outside) / 2;
-    (drop(middle) > limit ? outside : inside) = middle;
+  if (step < 0) {
+    std::swap(inside, outside);
+    std::swap(of_inside, of_outside);
   }
-  return (inside + outside) / 2;
+  const double resolution = kResolution * (outside - inside);
+  std::uintmax_t tries = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      above, inside, outside, of_inside, of_outside,
+      [=](double low, double high) { return high - low <= resolution; }, tries);
+  return std::midpoint(bracket.first, bracket.second);
 }
 
 }  // namespace gurney::statistics

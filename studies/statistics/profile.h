@@ -15,7 +15,7 @@ double largest_on_line(const std::function<Quadratic<2>(const Eigen::Vector2d&)>
                        const Eigen::Vector2d& point, const Eigen::Vector2d& along, double start);
 
 /// The distance from 0, in the direction of `step`, at which `drop` rises through `limit`; infinite if it
-/// has not within 1000 steps' length.
+/// has not within 512 steps.
 double crossing(const std::function<double(double)>& drop, double limit, double step);
 
 }  // namespace gurney::statistics

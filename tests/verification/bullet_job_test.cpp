@@ -40,10 +40,6 @@ TEST(BulletJob, PeakDisplacementsAgreeWithTheDirectSolver) {
     EXPECT_GT(star.peak_displacement, 0.02) << "seed " << seed;
     EXPECT_NEAR(star.peak_displacement, direct.peak_displacement, 0.005 * direct.peak_displacement)
         << "seed " << seed;
-    const Demands iterated = job.demands(Solver::kBullet, 2.5e-4);
-    // Sequential impulse is visibly worse (5 to 35 % here); how bad is reported, not asserted.
-    RecordProperty("iterated_over_direct_seed_" + std::to_string(seed),
-                   std::to_string(iterated.peak_displacement / direct.peak_displacement));
   }
 }
 

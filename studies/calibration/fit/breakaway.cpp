@@ -360,8 +360,9 @@ Moving moving_force(const TrialSignals& s, const Span& moving, double inertia) {
   const double acceleration = (out.c[1] - in.c[1]) / length;
   const double acceleration_error =
       std::hypot(in.rate_error(in.middle), out.rate_error(out.middle)) / length;
+  // The growth of the pull is no noise: a straight line has the mean in its middle.
   const PolynomialFit force =
-      fit_polynomial(s.time, s.force, {index(in.middle), index(out.middle)}, 0);
+      fit_polynomial(s.time, s.force, {index(in.middle), index(out.middle)}, 1);
   const double force_error = std::sqrt(force.covariance(0, 0));
   return {force.c[0],
           force_error,

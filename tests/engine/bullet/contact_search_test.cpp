@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "studies/verification/scenes/small_scenes.h"
 
@@ -46,6 +47,33 @@ TEST(ContactSearch, AsksBulletForWheelsBeforeAKerb) {
     // The face of the kerb is higher than the wheel's centre: its normal is exact.
     EXPECT_NEAR((contact.normal + Vector3::UnitX()).norm(), 0, 1e-12);
     EXPECT_NEAR(s.assembly.gap(contact, s.state), 0.01, 1e-12);
+  }
+}
+
+// A wheel beside a wall meets it with the edge of its tread on that side: the other is a tread's width farther away.
+TEST(ContactSearch, FindsTheSideOfAWheelThatIsNearTheWall) {
+  for (const double side : {1.0, -1.0}) {
+    Scene scene = scene_of(small::trolley({0, 0, 0, 0}, kTread));
+    scene.items[0].model.shape.clear();
+    double outermost = 0;
+    for (Caster& caster : scene.items[0].model.casters) {
+      caster.wheel_width = 0.03;
+      outermost = std::max(outermost, std::abs(caster.mount.y()) + caster.wheel_width / 2);
+    }
+    scene.room.push_back({"wall",
+                          "",
+                          {0, side * (outermost + 0.01 + 0.1), 0.5},
+                          Quaternion::Identity(),
+                          RoomBox{{4, 0.2, 1}}});
+    Search s(scene);
+    std::set<int> wheels;
+    for (const BodyContact& contact : s.search.find(s.state, 0)) {
+      ASSERT_GE(contact.side.caster, 0);
+      wheels.insert(contact.side.caster);
+      EXPECT_NEAR((contact.normal + side * Vector3::UnitY()).norm(), 0, 1e-12);
+      EXPECT_NEAR(s.assembly.gap(contact, s.state), 0.01, 1e-12);
+    }
+    EXPECT_EQ(wheels.size(), 2u) << "both wheels of this side";
   }
 }
 

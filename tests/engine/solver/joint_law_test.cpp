@@ -78,5 +78,27 @@ TEST(JointLaw, RatesOfASprungBallAreThoseOfItsAngles) {
   }
 }
 
+// k theta across the axis of a flexible joint; about it the joint holds, with far more than its spring.
+TEST(JointLaw, AFlexibleJointSpringsAcrossItsAxisAndHoldsAboutIt) {
+  constexpr double kStiffness = 5, kTurn = 0.01;
+  Scene scene = bag_on_a_ball();
+  scene.joints[0].kind = Joint::Kind::kFlexible;
+  scene.joints[0].stiffness = kStiffness;
+  const Assembly assembly(scene);
+  const JointLaw& joint = assembly.joints[0];
+  const auto torque_at = [&](const Vector3& about) {
+    const Pose turned{Vector3::Zero(),
+                      rotated(kTurn * about, Quaternion::Identity()).toRotationMatrix()};
+    JointLaw::Stage stage{0.001, joint.rows({Vector3::Zero(), Matrix3::Identity()}, turned, 0), {}};
+    double torque = 0;
+    for (std::size_t i = 3; i < stage.rows.count; ++i)
+      torque -= joint.force(stage, i, 0).force * stage.rows.rows[i].part.tail<3>().dot(about);
+    return torque;
+  };
+  EXPECT_NEAR(torque_at({0, 1, 0}), -kStiffness * kTurn, 1e-12);
+  EXPECT_NEAR(torque_at({0.8, 0, -0.6}), -kStiffness * kTurn, 1e-12);
+  EXPECT_LT(torque_at({0.6, 0, 0.8}), -100 * kStiffness * kTurn);
+}
+
 }  // namespace
 }  // namespace gurney

@@ -53,6 +53,14 @@ TEST(Bbp, ReadsTheHeadersOfThePlatform) {
   EXPECT_EQ(fact(read_text(kLong)[0], "Station"), "XYZ");
 }
 
+TEST(Bbp, KeepsTheUsualNamesWhereTheColumnsHaveOnlyUnits) {
+  const auto components =
+      read_text(replaced(replaced(replaced(kFile, "N-S(", "("), "E-W(", "("), "U-D(", "("));
+  expect_the_motion(components);
+  EXPECT_EQ(components[0].name, "N-S");
+  EXPECT_EQ(components[2].name, "U-D");
+}
+
 TEST(Bbp, TakesOrientationsAndOrdersOfTheComments) {
   const auto components = read_text(kOrientation);
   expect_the_motion(components);

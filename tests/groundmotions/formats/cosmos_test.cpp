@@ -155,6 +155,11 @@ TEST(Cosmos, RefusesUnitsThatContradict) {
       "f.V1c:45:1: the line of the samples states the unit code 4, but integer 3 of the header "
       "2");
   EXPECT_THAT(
+      error_text([] {
+        read(cosmos_file({.announcement = "  10 accel pts, units=none(00),Format=(8f10.5)"}));
+      }),
+      HasSubstr("f.V1c:45:1: the line of the samples states the unit code 0"));
+  EXPECT_THAT(
       read(cosmos_file({.integers = {{3, 25}}}))[0].warnings,
       ElementsAre(HasSubstr("integer 3 of the header 25, which is no unit of acceleration")));
   EXPECT_THAT(error_text([] {

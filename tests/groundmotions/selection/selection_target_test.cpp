@@ -1,5 +1,6 @@
 #include "groundmotions/selection/selection_target.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -29,6 +30,22 @@ TEST(SelectionTarget, OfAScenario) {
   EXPECT_FALSE(t.conditioning);
   EXPECT_NEAR(std::exp(t.spectrum.mean[2]), bssa14_sa({7, 10, 400, Faulting::kReverse}, 1).median,
               1e-12);
+}
+
+// The ranges of Boore et al. (2014) [their abstract]: M 3 to 8.5, 0 to 400 km, V_S30 150 to 1500 m/s.
+TEST(SelectionTarget, TakesScenariosToTheEndsOfTheModel) {
+  const auto scenario = [](double magnitude, double distance, double vs30) {
+    return read(
+        fmt::format("target = 'bssa14'\nmagnitude = {}\ndistance_km = {}\nvs30_m_per_s = {}\n",
+                    magnitude, distance, vs30));
+  };
+  EXPECT_NO_THROW(scenario(3, 0, 150));
+  EXPECT_NO_THROW(scenario(8.5, 400, 1500));
+  EXPECT_ERROR(scenario(2.9, 10, 400), "magnitude = 2.9: must be");
+  EXPECT_ERROR(scenario(8.6, 10, 400), "magnitude = 8.6: must be");
+  EXPECT_ERROR(scenario(7, 401, 400), "distance_km = 401: must be");
+  EXPECT_ERROR(scenario(7, 10, 149), "vs30_m_per_s = 149: must be");
+  EXPECT_ERROR(scenario(7, 10, 1501), "vs30_m_per_s = 1501: must be");
 }
 
 TEST(SelectionTarget, OfAConditionalSpectrum) {

@@ -6,6 +6,7 @@
 #include "tests/studies/analysis/small_study.h"
 #include "tests/support/error_text.h"
 #include "tests/support/synthetic_run.h"
+#include "tests/support/synthetic_ward.h"
 #include "tests/support/temp_folder.h"
 
 namespace gurney::study {
@@ -40,6 +41,20 @@ TEST(StoredHistories, OfOneRunAreItsSamples) {
               HasSubstr("did you mean 'displacement'?"));
   EXPECT_THAT(error_text([&] { stored.history("tilt", 3); }),
               HasSubstr("no histories of run 3; it has those of 1 runs: 0"));
+}
+
+TEST(StoredHistories, OfSeveralItemsNameThem) {
+  const TempFolder folder;
+  const Response response = synthetic_ward_response();
+  const study::RunFacts facts = synthetic_ward();
+  const std::string path = folder.write("r.h5", results_image(facts, response));
+  const StoredHistory displacement = StoredHistories(path).history("displacement", 0);
+  ASSERT_EQ(displacement.series.size(), 3 * response.items.size());
+  const std::size_t last = response.items.size() - 1;
+  EXPECT_EQ(displacement.series[3 * last].part, facts.scene.items[last].model.name);
+  for (std::size_t i = 0; i < displacement.time.size(); ++i)
+    EXPECT_EQ(displacement.series[3 * last + 1].values[i],
+              response.items[last].history[i].displacement.y());
 }
 
 TEST(StoredHistories, OfAStudyAreTheRowsOfARun) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -126,6 +127,46 @@ TEST(Cloud, HasTheBandThatItsMedianHas) {
   const auto band = cloud_band(fit, points, 0.3, {theta.low, theta.high}).of_curve;
   EXPECT_NEAR(band[0].high, 0.5, 1e-9);
   EXPECT_NEAR(band[1].low, 0.5, 1e-9);
+}
+
+// The three parameters cost degrees of the 20 records, not of the 80 runs: the covariance with records independent,
+// carried to the line by central differences of its slope and intercept, is widened by 20 / (20 - 3).
+TEST(Cloud, LosesThreeDegreesOfItsRecords) {
+  constexpr double kLimit = 0.3, kH = 1e-6;
+  std::vector<CloudPoint> points = synthetic_cloud(80, 4);
+  for (CloudPoint& point : points) {
+    point.group /= 4;
+    point.edp *= 1 + 0.5 * static_cast<double>(point.group % 2);
+  }
+  const CloudFit fit = fit_cloud(points);
+  const Eigen::Vector3d at(fit.a, fit.b, std::log(fit.sigma));
+  const auto line_at = [&](const Eigen::Vector3d& p) -> Eigen::Vector2d {
+    return Eigen::Vector2d(p[1], p[0] - std::log(kLimit)) / std::exp(p[2]);
+  };
+  Eigen::Matrix<double, 2, 3> jacobian;
+  for (int k = 0; k < 3; ++k)
+    jacobian.col(k) = (line_at(at + kH * Eigen::Vector3d::Unit(k)) -
+                       line_at(at - kH * Eigen::Vector3d::Unit(k))) /
+                      (2 * kH);
+  const auto carried = [&](const Eigen::Matrix3d& covariance, double factor) -> Eigen::Matrix2d {
+    return factor * jacobian * covariance * jacobian.transpose();
+  };
+  const auto [low, high] = std::ranges::minmax(points, {}, &CloudPoint::im);
+  const std::vector<double> im{0.5, 1, 2};
+  const FragilityBand found = cloud_band(fit, points, kLimit, im);
+  const FragilityBand expected =
+      band_of({line_at(at),
+               {carried(fit.covariance, 1), carried(fit.cluster_covariance, 20.0 / 17)},
+               20,
+               low.im,
+               high.im},
+              im, 0.95);
+  ASSERT_FALSE(found.too_few);
+  for (std::size_t i = 0; i < im.size(); ++i) {
+    EXPECT_NEAR(found.of_curve[i].low, expected.of_curve[i].low, 1e-7);
+    EXPECT_NEAR(found.of_curve[i].high, expected.of_curve[i].high, 1e-7);
+  }
+  EXPECT_NEAR(found.theta.low, expected.theta.low, 1e-7);
 }
 
 TEST(Cloud, HasNoIntervalOfFewRecords) {

@@ -106,6 +106,26 @@ Trial locked_axle(LockedWheels locked, double center, std::uint64_t stream) {
   return with_noise(trial, 3, stream);
 }
 
+// The stated error is the scatter of trials that differ in their noise alone: of 60 of them, within four times
+// its own error of 1 / sqrt(2 60). A high center of mass halves or adds a half to what noise of the acceleration
+// does, as the load of the locked axle moves with it.
+TEST(Breakaway, StatesTheScatterOfTrialsWithOneLockedAxle) {
+  constexpr int kTrials = 60;
+  for (const LockedWheels locked : {LockedWheels::kFront, LockedWheels::kRear}) {
+    double sum = 0, squares = 0, stated = 0;
+    for (std::uint64_t stream = 0; stream < kTrials; ++stream) {
+      Trial trial = locked_axle(locked, 1.0, stream);
+      trial.setup.center_height = 1.0;
+      const Breakaway found = breakaway_of(trial);
+      sum += found.moving;
+      squares += found.moving * found.moving;
+      stated += found.moving_error / kTrials;
+    }
+    const double scatter = std::sqrt((squares - sum * sum / kTrials) / (kTrials - 1));
+    EXPECT_NEAR(scatter / stated, 1, 4 / std::sqrt(2.0 * kTrials)) << stated;
+  }
+}
+
 // What accelerates the item also tips it: a center of mass above the cable unloads the front axle.
 // Its height unknown, mu_k is wrong by -3 to 7 % at about 1 m/s2. Three standard errors of noise are
 // allowed, and 0.2 % for the wheels that turn, J / 2 of M.
