@@ -159,6 +159,20 @@ TEST(RoundPoints, AStandingCylinderKeepsItsPointsAndATiltedOneRolls) {
     EXPECT_TRUE(point.rolls_b && std::abs(point.gap - 0.12) < 1e-9);
 }
 
+// A ball rolls wherever it is touched; of the cylinder below it only the side does, and the ball itself no less.
+TEST(RoundPoints, OfACylinderUnderABallTheSideRollsAndTheEndDoesNot) {
+  const auto point_with_ball_at = [](const Vector3& center) {
+    return nearest_point(placed(kSphere, Quaternion::Identity(), center),
+                         placed(kCylinder, Quaternion::Identity(), Vector3::Zero()));
+  };
+  const FacingPoint at_side = point_with_ball_at({0.23, 0, 0.05}),
+                    at_end = point_with_ball_at({0.02, 0, 0.33});
+  EXPECT_NEAR(at_side.gap, 0.01, 1e-12);
+  EXPECT_TRUE(at_side.rolls_a && at_side.rolls_b);
+  EXPECT_NEAR(at_end.gap, 0.01, 1e-12);
+  EXPECT_TRUE(at_end.rolls_a && !at_end.rolls_b);
+}
+
 // A standing cylinder half over the edge of a table has what lies on it of its rim, and the ends of the edge.
 TEST(RoundPoints, AnEndOverAnEdgeIsHeldByTheEdge) {
   const BodyForm table =
