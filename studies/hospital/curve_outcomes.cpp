@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/base/append_all.h"
 #include "engine/base/csv_row.h"
 #include "engine/base/error.h"
 #include "engine/base/names.h"
@@ -231,12 +232,9 @@ class CurveOutcomes : public OutcomeSource {
     if (files.empty())
       files = {data + "fragility.csv", data + "more_states.csv", data + "above.csv"};
     for (const std::string& file : files) CurveFile(file, settings_);
-    for (const LimitState& state : consequences.limit_states()) states_.push_back(state.name);
-    for (const auto& [setting, states] : settings_)
-      for (const State& state : states)
-        if (std::ranges::find(states_, state.name) == states_.end()) states_.push_back(state.name);
-    require(states_.size() <= kMostStates, fmt::format("{}: {} limit states; at most {}",
-                                                       hospital.path, states_.size(), kMostStates));
+    std::vector<std::string> of_curves;
+    for (const auto& [setting, states] : settings_) append_all(of_curves, names_of(states));
+    states_ = state_names(consequences, of_curves, hospital.path);
   }
 
   const std::vector<std::string>& states() const override { return states_; }

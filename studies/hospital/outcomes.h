@@ -50,6 +50,12 @@ class OutcomeSource {
   virtual std::vector<std::string> cautions() const { return {}; }
 };
 
+/// Names of the states with consequences, and of the others behind them, each once.
+/// @throws Error `path: ...` where they are more than kMostStates
+std::vector<std::string> state_names(const Consequences& consequences,
+                                     const std::vector<std::string>& others,
+                                     const std::string& path);
+
 /// Lognormal curves of tables such as that of the fragility catalogue. The capacity of a piece has
 /// the normal score sqrt(r) z_common + sqrt(1 - r) z_own, r the correlation: given the intensity,
 /// pieces fail together as far as the motion decides (one-factor Gaussian copula; Vasicek 2002, Risk

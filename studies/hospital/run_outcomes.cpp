@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/names.h"
 #include "engine/base/random/normal_draw.h"
 #include "engine/config/nearest_name.h"
 #include "studies/analysis/study_data.h"
@@ -28,11 +29,7 @@ class RunOutcomes : public OutcomeSource {
                         data_.measure("").name));
     limit_states_ = consequences.limit_states();
     own_ = limit_states_.size();
-    for (const LimitState& state : limit_states_) states_.push_back(state.name);
-    for (const LimitState& state : data_.limit_states())
-      if (std::ranges::find(states_, state.name) == states_.end()) states_.push_back(state.name);
-    require(states_.size() <= kMostStates,
-            fmt::format("{}: {} limit states; at most {}", results, states_.size(), kMostStates));
+    states_ = state_names(consequences, names_of(data_.limit_states()), results);
     // Storeys have motions of their own, of the same records: these are known by their names.
     for (const std::string& name : data_.file().strings("records/name")) {
       const auto known = std::ranges::find(records_, name);

@@ -83,7 +83,6 @@ FragilityComparison compare(const std::vector<Seen>& a, const std::vector<Seen>&
                             std::uint64_t seed) {
   FragilityComparison result;
   result.likelihood_ratio = likelihood_ratio(a, b);
-  result.p_independent = chi_squared_survival(result.likelihood_ratio, 2);
   std::map<std::size_t, int> sides;  // bit 1: in a, bit 2: in b
   for (const Seen& seen : a) sides[seen.group] |= 1;
   for (const Seen& seen : b) sides[seen.group] |= 2;

@@ -46,7 +46,6 @@ double sign_test(int rises, int falls);
 /// Are two fragilities one?
 struct FragilityComparison {
   double likelihood_ratio = 0;          ///< 2 (ln L_a + ln L_b - ln L_common)
-  double p_independent = 1;             ///< chi-squared with 2 degrees: for independent runs only
   std::optional<double> p_permutation;  ///< from swapped records; none without a pair
   int pairs = 0;                        ///< records in both
 };
