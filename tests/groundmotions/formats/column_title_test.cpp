@@ -44,6 +44,15 @@ TEST(ColumnTitle, UnitsAreUnderstoodOrQuoted) {
             1000 * (kStandardGravity / 1000));
 }
 
+// A capital behind a name is the channel's, and not grams or metres.
+TEST(ColumnTitle, ALetterBehindANameIsPartOfIt) {
+  const auto components = read_text("t(ms);Ch G;Ch M\n" + kRows, {.unit = "g"});
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0].name, "Ch G");
+  EXPECT_EQ(components[1].name, "Ch M");
+  EXPECT_DOUBLE_EQ(components[1].acceleration[1], 4 * kStandardGravity);
+}
+
 TEST(ColumnTitle, TimesHaveTheirUnit) {
   for (const char* title : {"Time[ms] a(g) b(g)", "T (msec)  a (g)  b (g)", "# time_ms;a1_g;a2_g",
                             "Time (ms) ground motions a and b in g"})

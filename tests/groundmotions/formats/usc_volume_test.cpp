@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <algorithm>
 
 #include "engine/base/units.h"
 #include "groundmotions/formats/readers.h"
@@ -75,6 +78,16 @@ TEST(UscVolume, ReadsVolume2) {
   EXPECT_EQ(component.unit, "cm/s2");
   EXPECT_NEAR(component.azimuth.value(), 352 * kRadiansPerDegree, 1e-12);
   EXPECT_NEAR(component.acceleration[3], -0.1 * kStandardGravity, 0.5e-5);
+}
+
+TEST(UscVolume, SaysWhereANumberOfPointsIsNone) {
+  std::string text = volume1("COMP N08W") + volume1("COMP UP");
+  const std::string points = "NO. OF POINTS =     10";
+  const auto at = text.rfind(points);
+  text.replace(at, points.size(), "NO. OF POINTS =      0");
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
+  EXPECT_EQ(error_text([&] { read(text); }),
+            fmt::format("f.v2:{}:1: the number of samples must be a whole number above 1, got 0", line));
 }
 
 TEST(UscVolume, RefusesSpectraAndMissingNumbers) {
