@@ -86,8 +86,9 @@ TEST(UscVolume, SaysWhereANumberOfPointsIsNone) {
   const auto at = text.rfind(points);
   text.replace(at, points.size(), "NO. OF POINTS =      0");
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
-  EXPECT_EQ(error_text([&] { read(text); }),
-            fmt::format("f.v2:{}:1: the number of samples must be a whole number above 1, got 0", line));
+  EXPECT_EQ(
+      error_text([&] { read(text); }),
+      fmt::format("f.v2:{}:1: the number of samples must be a whole number above 1, got 0", line));
 }
 
 TEST(UscVolume, RefusesSpectraAndMissingNumbers) {
