@@ -213,6 +213,7 @@ TEST(UniformSolids, HaveTheirInertia) {
 
 TEST(LevelTops, AreThoseOfUprightSolids) {
   EXPECT_EQ(level_top(kBox, {0.1, 0.05}), 0.25);
+  EXPECT_EQ(level_top(kBox, {0.15, 0.1}), 0.25) << "a corner";
   EXPECT_EQ(level_top(kBox, {0.2, 0}), std::nullopt);
   EXPECT_EQ(level_top(kCylinder, {0.09, 0}), 0.2);
   EXPECT_EQ(level_top(kCylinder, {0.09, 0.09}), std::nullopt);

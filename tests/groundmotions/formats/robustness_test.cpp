@@ -80,18 +80,19 @@ TEST_P(Robustness, ATruncatedFileIsNotReadAsAShorterOne) {
   }
 }
 
-TEST_P(Robustness, BlankLinesAtTheStartDoNotMatter) {
+TEST_P(Robustness, BlankLinesAroundTheFileDoNotMatter) {
   if (!SourceFile("f", bytes()).is_text()) return;
-  for (const std::string blanks : {"\n", " \r\n\t\r\n"}) {
-    const Components found = read(blanks + bytes());
-    ASSERT_EQ(found.size(), whole_.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_EQ(found[i].format, whole_[i].format);
-      EXPECT_EQ(found[i].name, whole_[i].name);
-      EXPECT_EQ(found[i].azimuth, whole_[i].azimuth);
-      EXPECT_EQ(found[i].acceleration, whole_[i].acceleration);
+  for (const std::string blanks : {"\n", " \r\n\t\r\n"})
+    for (const std::string& changed : {blanks + bytes(), bytes() + blanks}) {
+      const Components found = read(changed);
+      ASSERT_EQ(found.size(), whole_.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].format, whole_[i].format);
+        EXPECT_EQ(found[i].name, whole_[i].name);
+        EXPECT_EQ(found[i].azimuth, whole_[i].azimuth);
+        EXPECT_EQ(found[i].acceleration, whole_[i].acceleration);
+      }
     }
-  }
 }
 
 TEST_P(Robustness, ALineIsNotLostSilently) {
