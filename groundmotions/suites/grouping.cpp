@@ -58,8 +58,7 @@ bool can_be_together(const FoundComponent& a, const FoundComponent& b) {
 }
 
 bool can_be_record(const Group& group) {
-  if (std::ranges::count(group, false, &FoundComponent::vertical) > 2)
-    return false;  // of verticals one
+  if (std::ranges::count(group, false, &FoundComponent::vertical) > 2) return false;
   for (std::size_t i = 0; i < group.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (!can_be_together(group[i], group[j])) return false;

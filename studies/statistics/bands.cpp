@@ -20,9 +20,8 @@ namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kDoublings =
-    10;  // from one standard error of ln theta to 512, where an end of it is looked for
-constexpr int kHalvings = 40;  // 1e-12 of the bracket
+constexpr int kDoublings = 10;  // an end of theta is looked for up to 512 standard errors away
+constexpr int kHalvings = 40;   // 1e-12 of the bracket
 constexpr int kOutline = 128;
 
 /// Intervals of the score and of other numbers of the line.
