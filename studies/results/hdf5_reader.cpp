@@ -270,20 +270,26 @@ std::optional<Written> written(const std::string& path) {
 
 using Datasets = std::vector<Hdf5Dataset>;
 
-/// The datasets of a file, checked and described once, as most commands open it several times.
+/// The datasets of a file, checked and described once as long as it is not written again: most commands open
+/// it several times.
 /// @param read      reads the whole file in a child process
 /// @param describe  lists the datasets of the file once it is known to be sound
 Datasets checked_once(const std::string& path, const std::function<void()>& read,
                       const std::function<Datasets()>& describe) {
   static std::mutex mutex;
-  static std::map<Written, Datasets> known;
+  struct Known {
+    Written when;
+    Datasets datasets;
+  };
+  static std::map<std::string, Known> known;
   const std::optional<Written> now = written(path);
   const std::lock_guard lock(mutex);
-  if (now && known.contains(*now)) return known.at(*now);
+  const auto before = known.find(path);
+  if (now && before != known.end() && before->second.when == *now) return before->second.datasets;
   if (!hdf5::check_seal(path)) note_without_checksum(path);
   hdf5::probe(path, read);
   const Datasets found = describe();
-  if (now) known.emplace(*now, found);
+  if (now) known.insert_or_assign(path, Known{*now, found});
   return found;
 }
 
@@ -381,6 +387,7 @@ std::vector<double> Hdf5Reader::numbers(const std::string& path) const {
           fmt::format("{}: dataset {} must hold numbers", path_, path));
   return named([&] {
     const Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), "open dataset " + path);
+    require(shape_of(dataset, path) == found.shape, "it was written again while it was read");
     std::vector<double> values(size_of(found));
     checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "read " + path);

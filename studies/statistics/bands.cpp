@@ -20,8 +20,8 @@ namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kDoublings = 10;  // an end of theta is looked for up to 512 standard errors away
-constexpr int kHalvings = 40;   // 1e-12 of the bracket
+constexpr int kPlaces = 10;  // of an end of theta: 1 to 512 standard errors away, each twice as far
+constexpr int kHalvings = 40;  // 1e-12 of the bracket
 constexpr int kOutline = 128;
 
 /// Intervals of the score and of other numbers of the line.
@@ -56,8 +56,8 @@ double end_of_theta(const Lines& lines, double theta, double step) {
     return step > 0 ? z.low > 0 : z.high < 0;
   };
   double inner = 0, outer = step;
-  for (int doublings = 1; !outside(outer); ++doublings) {
-    if (doublings == kDoublings) return step > 0 ? kInfinity : 0;
+  for (int place = 1; !outside(outer); ++place) {
+    if (place == kPlaces) return step > 0 ? kInfinity : 0;
     inner = outer;
     outer *= 2;
   }

@@ -24,7 +24,7 @@ double largest_on_line(const std::function<Quadratic<2>(const Eigen::Vector2d&)>
 }
 
 double crossing(const std::function<double(double)>& drop, double limit, double step) {
-  constexpr int kDoublings = 10;        // from one step to 512
+  constexpr int kPlaces = 10;           // from one step to 512, each twice as far
   constexpr double kResolution = 1e-9;  // of the bracket
   constexpr double kHighest = 1e6;      // for drops that are infinite
   // The root of a likelihood ratio is nearly straight, and few secants find where it crosses.
@@ -33,9 +33,8 @@ double crossing(const std::function<double(double)>& drop, double limit, double 
     return std::min(std::sqrt(std::max(0.0, drop(d))), kHighest) - level;
   };
   double inside = 0, outside = step, of_inside = -level, of_outside = above(outside);
-  for (int doublings = 1; !(of_outside > 0); ++doublings) {
-    if (doublings == kDoublings)
-      return std::copysign(std::numeric_limits<double>::infinity(), step);
+  for (int place = 1; !(of_outside > 0); ++place) {
+    if (place == kPlaces) return std::copysign(std::numeric_limits<double>::infinity(), step);
     inside = outside;
     of_inside = of_outside;
     outside *= 2;
@@ -46,7 +45,7 @@ double crossing(const std::function<double(double)>& drop, double limit, double 
     std::swap(of_inside, of_outside);
   }
   const double resolution = kResolution * (outside - inside);
-  std::uintmax_t tries = 100;
+  std::uintmax_t tries = 130;  // four for each of 30 halvings, which the method is sure of
   const auto bracket = boost::math::tools::toms748_solve(
       above, inside, outside, of_inside, of_outside,
       [=](double low, double high) { return high - low <= resolution; }, tries);

@@ -159,7 +159,7 @@ TEST(RoundPoints, AStandingCylinderKeepsItsPointsAndATiltedOneRolls) {
     EXPECT_TRUE(point.rolls_b && std::abs(point.gap - 0.12) < 1e-9);
 }
 
-// A ball rolls wherever it is touched; of the cylinder below it only the side does, and the ball itself no less.
+// A ball rolls wherever it is touched, a cylinder at its side and not at its ends.
 TEST(RoundPoints, OfACylinderUnderABallTheSideRollsAndTheEndDoesNot) {
   const auto point_with_ball_at = [](const Vector3& center) {
     return nearest_point(placed(kSphere, Quaternion::Identity(), center),

@@ -44,7 +44,7 @@ TEST(ColumnTitle, UnitsAreUnderstoodOrQuoted) {
             1000 * (kStandardGravity / 1000));
 }
 
-// A capital behind a name is the channel's, and not grams or metres.
+// A capital behind a name is the channel's, and neither g nor metres.
 TEST(ColumnTitle, ALetterBehindANameIsPartOfIt) {
   const auto components = read_text("t(ms);Ch G;Ch M\n" + kRows, {.unit = "g"});
   ASSERT_EQ(components.size(), 2u);

@@ -52,6 +52,7 @@ TEST(StoredHistories, OfSeveralItemsNameThem) {
   ASSERT_EQ(displacement.series.size(), 3 * response.items.size());
   const std::size_t last = response.items.size() - 1;
   EXPECT_EQ(displacement.series[3 * last].part, facts.scene.items[last].model.name);
+  ASSERT_EQ(displacement.time.size(), response.items[last].history.size());
   for (std::size_t i = 0; i < displacement.time.size(); ++i)
     EXPECT_EQ(displacement.series[3 * last + 1].values[i],
               response.items[last].history[i].displacement.y());

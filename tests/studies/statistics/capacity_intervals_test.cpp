@@ -21,7 +21,7 @@ std::vector<Capacity> exact(const std::vector<double>& capacities) {
 }
 
 // Textbook intervals of a normal mean and standard deviation, from tables: n = 5, t(0.975, 4) =
-// 2.776445, chi-squared(0.025 and 0.975, 4) = 0.484419 and 11.143287. Ends are found to 2^-30 of a
+// 2.776445, chi-squared(0.025 and 0.975, 4) = 0.484419 and 11.143287. Ends are found to 1e-9 of a
 // bracket, and t has seven digits.
 TEST(CapacityIntervals, AreStudentsAndChiSquaredsForExactCapacities) {
   const std::vector<double> values{0.5, 0.8, 1.1, 1.3, 2.0};

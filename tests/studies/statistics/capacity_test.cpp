@@ -181,7 +181,7 @@ TEST(Capacity, ARecordSeenThriceAlikeTellsWhatItTellsOnce) {
   EXPECT_NEAR(b.covariance(0, 0), a.covariance(0, 0), 1e-9);
   const CapacityIntervals of_a = capacity_intervals(once, a, {1}, 0.95);
   const CapacityIntervals of_b = capacity_intervals(thrice, b, {1}, 0.95);
-  // Ends are found by 30 halvings of a few standard errors.
+  // Ends are found to 1e-9 of a few standard errors.
   EXPECT_NEAR(of_b.theta.low, of_a.theta.low, 1e-7);
   EXPECT_NEAR(of_b.theta.high, of_a.theta.high, 1e-7);
   EXPECT_NEAR(of_b.beta.high, of_a.beta.high, 1e-6);

@@ -130,7 +130,8 @@ TEST(Cloud, HasTheBandThatItsMedianHas) {
 }
 
 // The three parameters cost degrees of the 20 records, not of the 80 runs: the covariance with records independent,
-// carried to the line by central differences of its slope and intercept, is widened by 20 / (20 - 3).
+// carried to the line by central differences of its slope and intercept (rounding of 1e-16 / h), is widened by
+// 20 / (20 - 3).
 TEST(Cloud, LosesThreeDegreesOfItsRecords) {
   constexpr double kLimit = 0.3, kH = 1e-6;
   std::vector<CloudPoint> points = synthetic_cloud(80, 4);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/statistics/special.h"
 #include "tests/studies/statistics/synthetic.h"
 
 namespace gurney::statistics {
@@ -83,13 +84,13 @@ TEST(PairedDifference, KnowsNothingWithoutPairs) {
   EXPECT_EQ(paired_difference({{1, 1}}, {{1, 1}}).p_permutation, 1);
 }
 
-// Under one curve 5 % of 200 repeats are below 0.05: 10, and 4.5 binomial standard deviations are
-// 13.9. Runs of a record are alike here, which the chi-squared does not know.
-/// Of the likelihood ratio, which is chi-squared with 2 degrees where runs are independent.
+/// p of the likelihood ratio by chi-squared with 2 degrees, where runs are independent.
 double p_of_independent_runs(const FragilityComparison& result) {
   return chi_squared_survival(result.likelihood_ratio, 2);
 }
 
+// Under one curve 5 % of 200 repeats are below 0.05: 10, and 4.5 binomial standard deviations are
+// 13.9. Runs of a record are alike here, which the chi-squared does not know.
 TEST(CompareFragilities, HoldsItsLevelWhereRecordsAreShared) {
   int rejected = 0, rejected_independent = 0;
   for (std::uint64_t repeat = 0; repeat < 200; ++repeat) {
