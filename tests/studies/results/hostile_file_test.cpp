@@ -4,8 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <random>
 
 #include "studies/results/hdf5_checks.h"
@@ -199,6 +201,26 @@ TEST(HostileFile, ValuesOfMoreMemoryThanAFileOfItsSizeHasAreNotRead) {
       "a.h5: its values would take 1.1 GB of memory, which is more than a results file of");
   const Hdf5Reader all(foreign(folder, [](hid_t file) { add_zeros(file, "x", 1); }));
   EXPECT_EQ(all.numbers("/x").size(), 1u << 22);
+}
+
+// A file with the place, size and time of one that was read, and more values: these are not read into the room
+// of the fewer ones.
+TEST(HostileFile, AFileThatWasWrittenAgainIsNotReadAsTheOldOne) {
+  const TempFolder folder;
+  const auto image = [](std::size_t values) {
+    Hdf5Writer file;
+    file.add_scale({"/t", "s", "time", {}}, std::vector<double>(values));
+    return file.image();
+  };
+  std::string few = image(10), many = image(3000);
+  few.resize(std::max(few.size(), many.size()));
+  many.resize(few.size());
+  const std::string path = saved(folder, few);
+  const auto time = std::filesystem::last_write_time(path);
+  EXPECT_EQ(Hdf5Reader(path).numbers("/t").size(), 10u);
+  saved(folder, many);
+  std::filesystem::last_write_time(path, time);
+  EXPECT_ERROR(Hdf5Reader(path).numbers("/t"), "a.h5: it was written again while it was read");
 }
 
 TEST(HostileFile, AColumnIsAsLongAsItsTable) {
