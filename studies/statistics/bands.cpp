@@ -20,7 +20,7 @@ namespace gurney::statistics {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kPlaces = 10;  // of an end of theta: 1 to 512 standard errors away, each twice as far
+constexpr int kPlaces = 10;    // tried for an end of theta: 1, 2, ... 512 standard errors away
 constexpr int kHalvings = 40;  // 1e-12 of the bracket
 constexpr int kOutline = 128;
 

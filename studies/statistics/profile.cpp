@@ -24,7 +24,7 @@ double largest_on_line(const std::function<Quadratic<2>(const Eigen::Vector2d&)>
 }
 
 double crossing(const std::function<double(double)>& drop, double limit, double step) {
-  constexpr int kPlaces = 10;           // from one step to 512, each twice as far
+  constexpr int kPlaces = 10;           // tried: 1, 2, ... 512 steps away
   constexpr double kResolution = 1e-9;  // of the bracket
   constexpr double kHighest = 1e6;      // for drops that are infinite
   // The root of a likelihood ratio is nearly straight, and few secants find where it crosses.
